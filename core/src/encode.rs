@@ -14,12 +14,15 @@ mod lattice_node;
 mod links;
 mod printed;
 mod root;
+mod rounded;
 mod walk;
 
-pub use lattice_leaf::{FINEST_STEP, LatticeTriangles, LeafWidth, encode_triangle, scaled_step};
+pub use lattice_leaf::{
+    FINEST_STEP, LatticeTriangles, LeafWidth, encode_narrow_triangle, encode_triangle, scaled_step,
+};
 pub use lattice_node::{
-    EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_node, links_of,
-    node_words, with_links,
+    EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_child, encode_node,
+    links_of, node_words, with_links,
 };
 pub use links::Links;
 pub use printed::{
@@ -28,4 +31,5 @@ pub use printed::{
     printed_child,
 };
 pub use root::RootWords;
-pub use walk::{BoxCodec, LatticeCodec, PrintedCodec, node_bounds, root_bounds};
+pub use rounded::RoundedNode;
+pub use walk::{BoxCodec, LatticeCodec, PlainNode, PrintedCodec, node_bounds};

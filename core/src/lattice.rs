@@ -95,6 +95,18 @@ impl LatticeBox {
         }
     }
 
+    /// The smallest box that holds both.
+    #[inline(always)]
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.min, self.max);
+        let ([d, e, f], [u, v, w]) = (other.min, other.max);
+        Self {
+            min: [a.min(d), b.min(e), c.min(f)],
+            max: [x.max(u), y.max(v), z.max(w)],
+        }
+    }
+
     /// Whether the whole of `other` lies inside.
     #[must_use]
     pub fn contains(&self, other: &Self) -> bool {

@@ -4,8 +4,8 @@ use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
     FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedTriangle, RootWords, decode_node, encode_printed_triangle, encode_triangle, node_bounds,
-    scaled_step, with_links,
+    PrintedTriangle, RootWords, RoundedNode, decode_node, encode_printed_triangle, encode_triangle,
+    node_bounds, scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -58,13 +58,13 @@ pub fn encode_printed_leaf10(
     }
 }
 
-/// One thread per node. Reads the number of nodes and the plain nodes. Stores the node in 10 bits on the finest lattice, with
+/// One thread per node. Reads the number of nodes and the plain nodes on the finest lattice. Stores the node in 10 bits, with
 /// links to triangles that are stored in full, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_q10_f32(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 4]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
 ) {
@@ -76,15 +76,14 @@ pub fn encode_q10_f32(
 pub fn encode_q21_f32(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] nodes: &mut [[u32; 7]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] root: &mut [RootWords],
 ) {
     store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
 }
 
-/// One thread per node. Reads the number of nodes, the scene's exponent, that of the mesh's lattice in the caller's unit, and
-/// the plain nodes. Stores the node in 10 bits on that lattice, yet without links, its box, the words that each triangle of the
+/// One thread per node. Reads the number of nodes, what [`lattice_step`] does, and the plain nodes on that lattice. Stores the node in 10 bits on that lattice, yet without links, its box, the words that each triangle of the
 /// leaves below it takes, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_q10_sizes(
@@ -92,13 +91,13 @@ pub fn encode_q10_sizes(
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 4]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
 ) {
-    let step = scaled_step(step.x as i32, exponent.x as i32);
+    let step = lattice_step(exponent, step);
     let outputs = (boxes, sizes, root);
     store_sizes::<10, 4>(thread_index(id), total, step, plain, nodes, outputs);
 }
@@ -110,13 +109,13 @@ pub fn encode_q21_sizes(
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 7]],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
 ) {
-    let step = scaled_step(step.x as i32, exponent.x as i32);
+    let step = lattice_step(exponent, step);
     let outputs = (boxes, sizes, root);
     store_sizes::<21, 7>(thread_index(id), total, step, plain, nodes, outputs);
 }
@@ -128,7 +127,7 @@ pub fn encode_q10_lattice(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
@@ -146,7 +145,7 @@ pub fn encode_q21_lattice(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[Node],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
@@ -156,6 +155,17 @@ pub fn encode_q21_lattice(
     let step = root_words(root).step_exponent();
     let inputs = (plain, triangles, boxes, begins);
     store_linked::<21, 7>(thread_index(id), total, step, inputs, nodes, words);
+}
+
+/// The exponent of a lattice's step, in the scene's magnitude. Reads the scene's exponent, and the step's: in the caller's unit,
+/// if the second number says so.
+#[inline(always)]
+pub(crate) fn lattice_step(exponent: &UVec4, step: &UVec4) -> i32 {
+    if step.y == 0 {
+        step.x as i32
+    } else {
+        scaled_step(step.x as i32, exponent.x as i32)
+    }
 }
 
 /// What is known of a coded tree beforehand, from a uniform.
@@ -196,15 +206,13 @@ fn store_printed(
 fn store_lattice_node<const BITS: u32, const WORDS: usize>(
     node: u32,
     total: &UVec4,
-    plain: &[Node],
+    plain: &[RoundedNode],
     nodes: &mut [[u32; WORDS]],
     root: &mut [RootWords],
 ) {
     let i = node as usize;
     if node < total.x && i < plain.len() && i < nodes.len() {
-        let codec = LatticeCodec::<BITS, WORDS> {
-            step_exponent: FINEST_STEP,
-        };
+        let codec = LatticeCodec::<BITS, WORDS>;
         let bounds = node_bounds(node, plain, &codec);
         let coded = codec.encode(&bounds, &plain[i]);
         let triangle = Links::first_triangle(plain[i].left, plain[i].right);
@@ -219,13 +227,13 @@ fn store_sizes<const BITS: u32, const WORDS: usize>(
     node: u32,
     total: &UVec4,
     step_exponent: i32,
-    plain: &[Node],
+    plain: &[RoundedNode],
     nodes: &mut [[u32; WORDS]],
     (boxes, sizes, root): (&mut [LatticeBox], &mut [u32], &mut [RootWords]),
 ) {
     let i = node as usize;
     if node < total.x && i < plain.len() && i < nodes.len() && i < boxes.len() {
-        let codec = LatticeCodec::<BITS, WORDS> { step_exponent };
+        let codec = LatticeCodec::<BITS, WORDS>;
         let bounds = node_bounds(node, plain, &codec);
         let coded = codec.encode(&bounds, &plain[i]);
         nodes[i] = coded.words;
@@ -254,7 +262,7 @@ fn store_linked<const BITS: u32, const WORDS: usize>(
     node: u32,
     total: &UVec4,
     step_exponent: i32,
-    (plain, triangles, boxes, begins): (&[Node], &[LeafTriangle], &[LatticeBox], &[u32]),
+    (plain, triangles, boxes, begins): (&[RoundedNode], &[LeafTriangle], &[LatticeBox], &[u32]),
     nodes: &mut [[u32; WORDS]],
     words: &mut [u32],
 ) {
@@ -262,17 +270,15 @@ fn store_linked<const BITS: u32, const WORDS: usize>(
     if node < total.x && i < plain.len() && i < boxes.len() && i < nodes.len() {
         let [left, right] = decode_node::<BITS, WORDS>(&nodes[i], &boxes[i]);
         nodes[i] = with_links::<BITS, WORDS>(nodes[i], links(&plain[i], begins));
-        let children = [(plain[i].left, left), (plain[i].right, right)];
-        for number in 0..2usize {
-            let (child, bounds) = children[number];
-            store_triangles(child, &bounds, step_exponent, (triangles, begins), words);
-        }
+        let from = (triangles, begins);
+        store_triangles(plain[i].left, &left, step_exponent, from, words);
+        store_triangles(plain[i].right, &right, step_exponent, from, words);
     }
 }
 
 /// Links to where triangles' words begin.
 #[inline(always)]
-fn links(plain: &Node, begins: &[u32]) -> Links {
+fn links(plain: &RoundedNode, begins: &[u32]) -> Links {
     let triangle = Links::first_triangle(plain.left, plain.right) as usize;
     let place = if triangle < begins.len() {
         begins[triangle]
@@ -290,17 +296,28 @@ fn store_triangles(
     (triangles, begins): (&[LeafTriangle], &[u32]),
     words: &mut [u32],
 ) {
-    if child.is_leaf() {
-        let size = LeafWidth::of(bounds).words();
-        for number in 0..child.count() {
-            let i = (child.first() + number) as usize;
-            if i < triangles.len() && i < begins.len() {
-                let own = encode_triangle(&triangles[i], bounds, power_of_two(step_exponent));
-                for word in 0..10u32 {
-                    let to = (begins[i] + word) as usize;
-                    if word < size && to < words.len() {
-                        words[to] = own[word as usize];
-                    }
+    let step = power_of_two(step_exponent);
+    let size = LeafWidth::of(bounds).words() as usize;
+    let count = if child.is_leaf() { child.count() } else { 0 };
+    for number in 0..count {
+        let i = (child.first() + number) as usize;
+        if i < triangles.len() && i < begins.len() {
+            let to = begins[i] as usize;
+            if to + size <= words.len() {
+                let [a, b, c, d, e, f, g, h, j, k] = encode_triangle(&triangles[i], bounds, step);
+                words[to] = a;
+                words[to + 1] = b;
+                words[to + 2] = c;
+                words[to + 3] = d;
+                if size > 4 {
+                    words[to + 4] = e;
+                    words[to + 5] = f;
+                    words[to + 6] = g;
+                }
+                if size > 7 {
+                    words[to + 7] = h;
+                    words[to + 8] = j;
+                    words[to + 9] = k;
                 }
             }
         }

@@ -1,8 +1,11 @@
 //! Stage `refit`. A level of the pyramid is made from the one below; as no buffer can be read and written at once, each
 //! level is also stored in a buffer of its own.
 
+use crate::encode::lattice_step;
 use crate::thread_index;
 use glam::{UVec3, UVec4};
+use slimbvh_core::encode::RoundedNode;
+use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{
     PyramidBox, group_bounds, group_count, parent_bounds, refit_node, split_of,
 };
@@ -61,6 +64,39 @@ pub fn refit_nodes(
     let i = node as usize;
     if node < total.x && i < nodes.len() && i < splits.len() {
         nodes[i] = refit_node(nodes[i], splits[i], triangles, pyramid);
+    }
+}
+
+/// As [`refit_nodes`]. Reads what [`lattice_step`] does, too. Stores the node on that lattice.
+#[spirv(compute(threads(64)))]
+pub fn refit_rounded(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 1)] exponent: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] pyramid: &[PyramidBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] splits: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [RoundedNode],
+) {
+    let node = thread_index(id);
+    let i = node as usize;
+    if node < total.x && i < nodes.len() && i < splits.len() {
+        let RoundedNode {
+            left,
+            right,
+            first,
+            last,
+            ..
+        } = nodes[i];
+        let bare = Connection {
+            left,
+            right,
+            first,
+            last,
+        };
+        let plain = refit_node((&bare).into(), splits[i], triangles, pyramid);
+        nodes[i] = RoundedNode::new(&plain, lattice_step(exponent, step));
     }
 }
 

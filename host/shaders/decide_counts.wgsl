@@ -20,29 +20,29 @@ struct type_22 {
 }
 
 struct type_30 {
-    member: array<f32, 3>,
-    member_1: u32,
-    member_2: f32,
-    member_3: array<u32, 3>,
-}
-
-struct type_32 {
-    member: array<vec4<u32>, 2>,
-}
-
-struct type_35 {
-    member: array<i32>,
-}
-
-struct type_39 {
     member: u32,
     member_1: u32,
     member_2: u32,
     member_3: u32,
 }
 
+struct type_31 {
+    member: array<f32, 3>,
+    member_1: u32,
+    member_2: f32,
+    member_3: array<u32, 3>,
+}
+
+struct type_33 {
+    member: array<vec4<u32>, 2>,
+}
+
+struct type_36 {
+    member: array<i32>,
+}
+
 struct type_41 {
-    member: array<type_39>,
+    member: array<type_30>,
 }
 
 var<private> global: vec3<u32>;
@@ -50,27 +50,27 @@ var<private> global_1: u32;
 @group(0) @binding(0) 
 var<uniform> global_2: type_13;
 @group(0) @binding(1) 
-var<uniform> global_3: type_32;
+var<uniform> global_3: type_33;
 @group(0) @binding(4) 
 var<storage> global_4: type_5;
 @group(0) @binding(5) 
-var<storage> global_5: type_35;
+var<storage> global_5: type_36;
 @group(0) @binding(2) 
 var<storage> global_6: type_18;
 @group(0) @binding(3) 
 var<storage> global_7: type_22;
 @group(0) @binding(6) 
-var<storage> global_8: type_35;
+var<storage> global_8: type_36;
 @group(0) @binding(7) 
 var<storage, read_write> global_9: type_41;
-var<workgroup> global_10: array<type_39, 64>;
+var<workgroup> global_10: array<type_30, 64>;
 
 fn function_() {
     var phi_162_: i32;
     var phi_215_: i32;
-    var phi_239_: type_30;
+    var phi_239_: type_31;
     var phi_250_: type_9;
-    var phi_253_: type_39;
+    var phi_253_: type_30;
     var phi_251_: type_9;
     var phi_276_: type_9;
     var phi_306_: u32;
@@ -82,14 +82,14 @@ fn function_() {
     var phi_499_: vec3<f32>;
     var phi_681_: f32;
     var phi_717_: i32;
-    var phi_721_: type_39;
-    var phi_732_: type_39;
-    var phi_254_: type_39;
+    var phi_721_: type_30;
+    var phi_732_: type_30;
+    var phi_254_: type_30;
     var phi_864_: bool;
-    var local: type_39;
-    var local_1: type_39;
-    var local_2: type_39;
-    var local_3: type_39;
+    var local: type_30;
+    var local_1: type_30;
+    var local_2: type_30;
+    var local_3: type_30;
     var phi_747_: type_9;
     var phi_750_: u32;
     var phi_748_: type_9;
@@ -136,13 +136,13 @@ fn function_() {
             let _e137 = bitcast<f32>((bitcast<u32>((_e132 + 127i)) << bitcast<u32>(23i)));
             let _e143 = bitcast<f32>((bitcast<u32>(((_e73 - _e132) + 127i)) << bitcast<u32>(23i)));
             if (_e105 == 0u) {
-                phi_239_ = type_30(array<f32, 3>(_e122, _e123, _e124), _e105, _e126, _e127);
+                phi_239_ = type_31(array<f32, 3>(_e122, _e123, _e124), _e105, _e126, _e127);
             } else {
-                phi_239_ = type_30(array<f32, 3>(((_e122 * _e137) * _e143), ((_e123 * _e137) * _e143), ((_e124 * _e137) * _e143)), _e105, ((_e126 * _e137) * _e143), _e127);
+                phi_239_ = type_31(array<f32, 3>(((_e122 * _e137) * _e143), ((_e123 * _e137) * _e143), ((_e124 * _e137) * _e143)), _e105, ((_e126 * _e137) * _e143), _e127);
             }
             let _e156 = phi_239_;
             phi_250_ = type_9(0u, 16u);
-            phi_253_ = type_39(0u, 0u, 0u, 0u);
+            phi_253_ = type_30(0u, 0u, 0u, 0u);
             loop {
                 let _e158 = phi_250_;
                 let _e160 = phi_253_;
@@ -191,7 +191,7 @@ fn function_() {
                         }
                         let _e194 = phi_320_;
                         if (_e194 == 0i) {
-                            phi_721_ = type_39(1u, 1u, 0u, 0u);
+                            phi_721_ = type_30(1u, 1u, 0u, 0u);
                         } else {
                             if _e184 {
                                 if _e184 {
@@ -309,17 +309,17 @@ fn function_() {
                                 phi_717_ = 0i;
                             }
                             let _e451 = phi_717_;
-                            phi_721_ = type_39(select(0u, 1u, !(((_e331 * f32(-(_e194))) > _e435))), select(0u, 1u, !(((_e331 * f32(_e194)) > _e435))), select(0u, 1u, (_e451 == 0i)), 0u);
+                            phi_721_ = type_30(select(0u, 1u, !(((_e331 * f32(-(_e194))) > _e435))), select(0u, 1u, !(((_e331 * f32(_e194)) > _e435))), select(0u, 1u, (_e451 == 0i)), 0u);
                         }
                         let _e456 = phi_721_;
-                        phi_732_ = type_39((_e160.member + _e456.member), (_e160.member_1 + _e456.member_1), (_e160.member_2 + _e456.member_2), 0u);
+                        phi_732_ = type_30((_e160.member + _e456.member), (_e160.member_1 + _e456.member_1), (_e160.member_2 + _e456.member_2), 0u);
                     } else {
                         phi_732_ = _e160;
                     }
                     let _e468 = phi_732_;
                     phi_254_ = _e468;
                 } else {
-                    phi_254_ = type_39();
+                    phi_254_ = type_30();
                 }
                 let _e470 = phi_254_;
                 continue;
@@ -344,7 +344,7 @@ fn function_() {
             let _e481 = local_1;
             let _e484 = local_2;
             let _e487 = local_3;
-            global_10[_e474] = type_39(_e478.member, _e481.member_1, _e484.member_2, _e487.member_3);
+            global_10[_e474] = type_30(_e478.member, _e481.member_1, _e484.member_2, _e487.member_3);
             workgroupBarrier();
             phi_747_ = type_9(0u, 6u);
             phi_750_ = 32u;
@@ -381,7 +381,7 @@ fn function_() {
                             phi_901_ = true;
                             break;
                         }
-                        global_10[_e474] = type_39((_e513.member + _e521.member), (_e513.member_1 + _e521.member_1), (_e513.member_2 + _e521.member_2), 0u);
+                        global_10[_e474] = type_30((_e513.member + _e521.member), (_e513.member_1 + _e521.member_1), (_e513.member_2 + _e521.member_2), 0u);
                     }
                     workgroupBarrier();
                     phi_751_ = (_e493 / 2u);
@@ -409,7 +409,7 @@ fn function_() {
                     } else {
                         break;
                     }
-                    global_9.member[_e69] = type_39(_e538.member, _e538.member_1, _e538.member_2, _e538.member_3);
+                    global_9.member[_e69] = type_30(_e538.member, _e538.member_1, _e538.member_2, _e538.member_3);
                 }
             }
             break;

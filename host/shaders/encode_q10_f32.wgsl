@@ -11,33 +11,28 @@ struct type_12 {
     member: vec4<u32>,
 }
 
-struct type_21 {
-    member: array<array<f32, 4>, 3>,
+struct type_17 {
+    member: array<array<i32, 4>, 3>,
     member_1: u32,
     member_2: u32,
     member_3: u32,
     member_4: u32,
 }
 
-struct type_23 {
-    member: array<type_21>,
+struct type_19 {
+    member: array<type_17>,
 }
 
-struct type_26 {
-    member: vec3<f32>,
-    member_1: vec3<f32>,
-}
-
-struct type_27 {
+struct type_22 {
     member: array<u32, 4>,
     member_1: array<u32, 4>,
 }
 
-struct type_29 {
-    member: array<type_27>,
+struct type_24 {
+    member: array<type_22>,
 }
 
-struct type_33 {
+struct type_27 {
     member: array<i32, 3>,
     member_1: array<i32, 3>,
 }
@@ -46,756 +41,338 @@ var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
 @group(0) @binding(1) 
-var<storage> global_2: type_23;
+var<storage> global_2: type_19;
 @group(0) @binding(2) 
 var<storage, read_write> global_3: type_9;
 @group(0) @binding(3) 
-var<storage, read_write> global_4: type_29;
+var<storage, read_write> global_4: type_24;
 
 fn function_() {
-    var local: array<i32, 3>;
-    var local_1: array<i32, 3>;
-    var local_2: array<i32, 3>;
-    var local_3: array<i32, 3>;
-    var local_4: array<i32, 3>;
-    var local_5: array<i32, 3>;
-    var local_6: array<i32, 3>;
-    var local_7: array<i32, 3>;
-    var local_8: array<i32, 3>;
-    var local_9: array<i32, 3>;
-    var local_10: array<i32, 3>;
-    var local_11: array<i32, 3>;
-    var local_12: array<i32, 3>;
-    var local_13: array<i32, 3>;
-    var local_14: array<i32, 3>;
-    var local_15: array<i32, 3>;
-    var local_16: array<u32, 4>;
-    var local_17: array<u32, 4>;
-    var local_18: array<u32, 4>;
-    var phi_172_: type_21;
-    var phi_190_: type_26;
-    var phi_208_: type_26;
-    var phi_2435_: bool;
-    var phi_385_: type_4;
-    var phi_388_: u32;
-    var phi_386_: type_4;
-    var phi_411_: type_4;
-    var phi_433_: type_21;
-    var phi_441_: bool;
-    var phi_459_: type_26;
-    var phi_477_: type_26;
-    var phi_749_: type_4;
-    var phi_750_: type_4;
-    var phi_773_: type_4;
-    var phi_2426_: bool;
-    var phi_947_: type_4;
-    var phi_948_: type_4;
-    var phi_971_: type_4;
-    var phi_2455_: bool;
-    var phi_1176_: type_33;
-    var phi_2474_: bool;
-    var phi_1194_: u32;
-    var phi_2473_: bool;
-    var phi_389_: u32;
-    var phi_1196_: bool;
-    var phi_2472_: bool;
-    var phi_1247_: type_26;
-    var phi_1269_: type_26;
-    var phi_1541_: type_4;
-    var phi_1542_: type_4;
-    var phi_1565_: type_4;
-    var phi_2477_: bool;
-    var phi_1739_: type_4;
-    var phi_1740_: type_4;
-    var phi_1763_: type_4;
-    var phi_2493_: bool;
-    var phi_1971_: u32;
-    var phi_1973_: u32;
-    var phi_1974_: bool;
-    var phi_1990_: u32;
-    var phi_1992_: u32;
-    var phi_1993_: bool;
-    var phi_1998_: u32;
-    var phi_2026_: u32;
-    var phi_2041_: u32;
-    var phi_2056_: u32;
-    var phi_2155_: type_4;
-    var phi_2156_: type_4;
-    var phi_2179_: type_4;
-    var phi_2503_: bool;
+    var phi_138_: type_17;
+    var phi_189_: type_4;
+    var phi_192_: type_27;
+    var phi_194_: u32;
+    var phi_190_: type_4;
+    var phi_217_: type_4;
+    var phi_239_: type_17;
+    var phi_248_: bool;
+    var phi_292_: i32;
+    var phi_307_: i32;
+    var phi_344_: i32;
+    var phi_359_: i32;
+    var phi_396_: i32;
+    var phi_411_: i32;
+    var phi_420_: type_27;
+    var phi_421_: u32;
+    var phi_193_: type_27;
+    var phi_195_: u32;
+    var phi_423_: bool;
+    var phi_1414_: bool;
+    var local: type_27;
+    var local_1: type_27;
+    var phi_850_: u32;
+    var phi_852_: u32;
+    var phi_853_: bool;
+    var phi_869_: u32;
+    var phi_871_: u32;
+    var phi_872_: bool;
+    var phi_877_: u32;
+    var phi_905_: u32;
+    var phi_920_: u32;
+    var phi_935_: u32;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e65 = global;
-            let _e67 = arrayLength((&global_2.member));
-            let _e71 = arrayLength((&global_4.member));
-            let _e75 = (_e65.x + (_e65.y * 2097152u));
-            let _e78 = global_1.member[0u];
-            if (_e75 < _e78) {
-                let _e80 = (_e75 < _e67);
-                if _e80 {
-                    let _e81 = (_e75 < arrayLength((&global_3.member)));
-                    if _e81 {
-                        let _e82 = (0u < _e67);
-                        if _e82 {
-                            if _e82 {
+            let _e37 = global;
+            let _e39 = arrayLength((&global_2.member));
+            let _e43 = arrayLength((&global_4.member));
+            let _e47 = (_e37.x + (_e37.y * 2097152u));
+            let _e50 = global_1.member[0u];
+            if (_e47 < _e50) {
+                let _e52 = (_e47 < _e39);
+                if _e52 {
+                    let _e53 = (_e47 < arrayLength((&global_3.member)));
+                    if _e53 {
+                        let _e54 = (0u < _e39);
+                        if _e54 {
+                            if _e54 {
                             } else {
                                 break;
                             }
-                            let _e85 = global_2.member[0u];
-                            phi_172_ = _e85;
+                            let _e57 = global_2.member[0u];
+                            phi_138_ = _e57;
                         } else {
-                            phi_172_ = type_21(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                            phi_138_ = type_17(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                         }
-                        let _e87 = phi_172_;
-                        if (_e87.member_1 == 2147483648u) {
-                            phi_190_ = type_26(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                        } else {
-                            phi_190_ = type_26(vec3<f32>(_e87.member[0][0], _e87.member[1][0], _e87.member[2][0]), vec3<f32>(_e87.member[0][2], _e87.member[1][2], _e87.member[2][2]));
-                        }
-                        let _e106 = phi_190_;
-                        if (_e87.member_2 == 2147483648u) {
-                            phi_208_ = _e106;
-                        } else {
-                            phi_208_ = type_26(vec3<f32>(_e87.member[0][1], _e87.member[1][1], _e87.member[2][1]), vec3<f32>(_e87.member[0][3], _e87.member[1][3], _e87.member[2][3]));
-                        }
-                        let _e125 = phi_208_;
-                        let _e154 = (select(_e125.member.x, _e106.member.x, (_e106.member.x < _e125.member.x)) * 16777216f);
-                        let _e161 = select(0i, select(select(i32(_e154), i32(-2147483648), (_e154 < -2147483600f)), 2147483647i, (_e154 > 2147483500f)), (_e154 == _e154));
-                        let _e166 = (select(_e125.member.y, _e106.member.y, (_e106.member.y < _e125.member.y)) * 16777216f);
-                        let _e173 = select(0i, select(select(i32(_e166), i32(-2147483648), (_e166 < -2147483600f)), 2147483647i, (_e166 > 2147483500f)), (_e166 == _e166));
-                        let _e178 = (select(_e125.member.z, _e106.member.z, (_e106.member.z < _e125.member.z)) * 16777216f);
-                        let _e185 = select(0i, select(select(i32(_e178), i32(-2147483648), (_e178 < -2147483600f)), 2147483647i, (_e178 > 2147483500f)), (_e178 == _e178));
-                        let _e190 = (select(_e125.member_1.x, _e106.member_1.x, (_e106.member_1.x > _e125.member_1.x)) * 16777216f);
-                        let _e197 = select(0i, select(select(i32(_e190), i32(-2147483648), (_e190 < -2147483600f)), 2147483647i, (_e190 > 2147483500f)), (_e190 == _e190));
-                        let _e202 = (select(_e125.member_1.y, _e106.member_1.y, (_e106.member_1.y > _e125.member_1.y)) * 16777216f);
-                        let _e209 = select(0i, select(select(i32(_e202), i32(-2147483648), (_e202 < -2147483600f)), 2147483647i, (_e202 > 2147483500f)), (_e202 == _e202));
-                        let _e214 = (select(_e125.member_1.z, _e106.member_1.z, (_e106.member_1.z > _e125.member_1.z)) * 16777216f);
-                        let _e221 = select(0i, select(select(i32(_e214), i32(-2147483648), (_e214 < -2147483600f)), 2147483647i, (_e214 > 2147483500f)), (_e214 == _e214));
-                        local_7 = array<i32, 3>((_e161 - select(0i, 1i, (f32(_e161) > _e154))), (_e173 - select(0i, 1i, (f32(_e173) > _e166))), (_e185 - select(0i, 1i, (f32(_e185) > _e178))));
-                        local_6 = array<i32, 3>((_e197 + select(0i, 1i, (f32(_e197) < _e190))), (_e209 + select(0i, 1i, (f32(_e209) < _e202))), (_e221 + select(0i, 1i, (f32(_e221) < _e214))));
-                        phi_2435_ = false;
-                        phi_385_ = type_4(0u, 128u);
-                        phi_388_ = 0u;
+                        let _e59 = phi_138_;
+                        phi_189_ = type_4(0u, 128u);
+                        phi_192_ = type_27(array<i32, 3>(select(_e59.member[0][0], _e59.member[0][1], (_e59.member[0][1] < _e59.member[0][0])), select(_e59.member[1][0], _e59.member[1][1], (_e59.member[1][1] < _e59.member[1][0])), select(_e59.member[2][0], _e59.member[2][1], (_e59.member[2][1] < _e59.member[2][0]))), array<i32, 3>(select(_e59.member[0][3], _e59.member[0][2], (_e59.member[0][3] < _e59.member[0][2])), select(_e59.member[1][3], _e59.member[1][2], (_e59.member[1][3] < _e59.member[1][2])), select(_e59.member[2][3], _e59.member[2][2], (_e59.member[2][3] < _e59.member[2][2]))));
+                        phi_194_ = 0u;
                         loop {
-                            let _e229 = phi_2435_;
-                            let _e231 = phi_385_;
-                            let _e233 = phi_388_;
-                            if (_e231.member < _e231.member_1) {
-                                phi_386_ = type_4((_e231.member + 1u), _e231.member_1);
-                                phi_411_ = type_4(1u, _e231.member);
+                            let _e94 = phi_189_;
+                            let _e96 = phi_192_;
+                            let _e98 = phi_194_;
+                            local = _e96;
+                            local_1 = _e96;
+                            if (_e94.member < _e94.member_1) {
+                                phi_190_ = type_4((_e94.member + 1u), _e94.member_1);
+                                phi_217_ = type_4(1u, _e94.member);
                             } else {
-                                phi_386_ = _e231;
-                                phi_411_ = type_4(0u, type_4().member_1);
+                                phi_190_ = _e94;
+                                phi_217_ = type_4(0u, type_4().member_1);
                             }
-                            let _e246 = phi_386_;
-                            let _e248 = phi_411_;
-                            if (bitcast<i32>(_e248.member) != 0i) {
-                                let _e252 = (_e233 == _e75);
-                                if _e252 {
-                                    phi_2474_ = _e229;
-                                    phi_1194_ = u32();
+                            let _e111 = phi_190_;
+                            let _e113 = phi_217_;
+                            if (bitcast<i32>(_e113.member) != 0i) {
+                                let _e117 = (_e98 == _e47);
+                                if _e117 {
+                                    phi_420_ = type_27();
+                                    phi_421_ = u32();
                                 } else {
-                                    let _e253 = (_e233 < _e67);
-                                    if _e253 {
-                                        if _e253 {
+                                    let _e118 = (_e98 < _e39);
+                                    if _e118 {
+                                        if _e118 {
                                         } else {
-                                            phi_2472_ = true;
+                                            phi_1414_ = true;
                                             break;
                                         }
-                                        let _e256 = global_2.member[_e233];
-                                        phi_433_ = _e256;
+                                        let _e121 = global_2.member[_e98];
+                                        phi_239_ = _e121;
                                     } else {
-                                        phi_433_ = type_21(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                                        phi_239_ = type_17(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                                     }
-                                    let _e258 = phi_433_;
-                                    if ((_e258.member_1 & 2147483648u) != 0u) {
-                                        phi_441_ = false;
+                                    let _e123 = phi_239_;
+                                    if ((_e123.member_1 & 2147483648u) != 0u) {
+                                        phi_248_ = false;
                                     } else {
-                                        phi_441_ = (_e75 <= _e258.member_1);
+                                        phi_248_ = (_e47 <= _e123.member_1);
                                     }
-                                    let _e264 = phi_441_;
-                                    if (_e258.member_1 == 2147483648u) {
-                                        phi_459_ = type_26(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                    let _e130 = phi_248_;
+                                    let _e142 = bitcast<u32>((_e96.member_1[0] - _e96.member[0]));
+                                    let _e148 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e142)), 32u, (_e142 == 0u)));
+                                    let _e151 = (select(10u, _e148, (_e148 > 10u)) - 10u);
+                                    let _e156 = (_e123.member[0][0] - _e96.member[0]);
+                                    let _e157 = (_e123.member[0][1] - _e96.member[0]);
+                                    let _e158 = (_e96.member_1[0] - _e123.member[0][2]);
+                                    let _e159 = (_e96.member_1[0] - _e123.member[0][3]);
+                                    let _e160 = (_e156 > _e157);
+                                    if (_e160 == _e130) {
+                                        let _e163 = (_e151 & 31u);
+                                        phi_292_ = ((select(_e157, _e156, _e160) >> bitcast<u32>(_e163)) << bitcast<u32>(_e163));
                                     } else {
-                                        phi_459_ = type_26(vec3<f32>(_e258.member[0][0], _e258.member[1][0], _e258.member[2][0]), vec3<f32>(_e258.member[0][2], _e258.member[1][2], _e258.member[2][2]));
+                                        phi_292_ = 0i;
                                     }
-                                    let _e282 = phi_459_;
-                                    if (_e258.member_2 == 2147483648u) {
-                                        phi_477_ = _e282;
+                                    let _e169 = phi_292_;
+                                    let _e171 = (_e158 > _e159);
+                                    if (_e171 == _e130) {
+                                        let _e174 = (_e151 & 31u);
+                                        phi_307_ = ((select(_e159, _e158, _e171) >> bitcast<u32>(_e174)) << bitcast<u32>(_e174));
                                     } else {
-                                        phi_477_ = type_26(vec3<f32>(_e258.member[0][1], _e258.member[1][1], _e258.member[2][1]), vec3<f32>(_e258.member[0][3], _e258.member[1][3], _e258.member[2][3]));
+                                        phi_307_ = 0i;
                                     }
-                                    let _e301 = phi_477_;
-                                    let _e314 = (_e282.member.x * 16777216f);
-                                    let _e321 = select(0i, select(select(i32(_e314), i32(-2147483648), (_e314 < -2147483600f)), 2147483647i, (_e314 > 2147483500f)), (_e314 == _e314));
-                                    let _e326 = (_e282.member.y * 16777216f);
-                                    let _e333 = select(0i, select(select(i32(_e326), i32(-2147483648), (_e326 < -2147483600f)), 2147483647i, (_e326 > 2147483500f)), (_e326 == _e326));
-                                    let _e338 = (_e282.member.z * 16777216f);
-                                    let _e345 = select(0i, select(select(i32(_e338), i32(-2147483648), (_e338 < -2147483600f)), 2147483647i, (_e338 > 2147483500f)), (_e338 == _e338));
-                                    let _e350 = (_e282.member_1.x * 16777216f);
-                                    let _e357 = select(0i, select(select(i32(_e350), i32(-2147483648), (_e350 < -2147483600f)), 2147483647i, (_e350 > 2147483500f)), (_e350 == _e350));
-                                    let _e362 = (_e282.member_1.y * 16777216f);
-                                    let _e369 = select(0i, select(select(i32(_e362), i32(-2147483648), (_e362 < -2147483600f)), 2147483647i, (_e362 > 2147483500f)), (_e362 == _e362));
-                                    let _e374 = (_e282.member_1.z * 16777216f);
-                                    let _e381 = select(0i, select(select(i32(_e374), i32(-2147483648), (_e374 < -2147483600f)), 2147483647i, (_e374 > 2147483500f)), (_e374 == _e374));
-                                    local_11 = array<i32, 3>((_e321 - select(0i, 1i, (f32(_e321) > _e314))), (_e333 - select(0i, 1i, (f32(_e333) > _e326))), (_e345 - select(0i, 1i, (f32(_e345) > _e338))));
-                                    local_10 = array<i32, 3>((_e357 + select(0i, 1i, (f32(_e357) < _e350))), (_e369 + select(0i, 1i, (f32(_e369) < _e362))), (_e381 + select(0i, 1i, (f32(_e381) < _e374))));
-                                    let _e400 = (_e301.member.x * 16777216f);
-                                    let _e407 = select(0i, select(select(i32(_e400), i32(-2147483648), (_e400 < -2147483600f)), 2147483647i, (_e400 > 2147483500f)), (_e400 == _e400));
-                                    let _e412 = (_e301.member.y * 16777216f);
-                                    let _e419 = select(0i, select(select(i32(_e412), i32(-2147483648), (_e412 < -2147483600f)), 2147483647i, (_e412 > 2147483500f)), (_e412 == _e412));
-                                    let _e424 = (_e301.member.z * 16777216f);
-                                    let _e431 = select(0i, select(select(i32(_e424), i32(-2147483648), (_e424 < -2147483600f)), 2147483647i, (_e424 > 2147483500f)), (_e424 == _e424));
-                                    let _e436 = (_e301.member_1.x * 16777216f);
-                                    let _e443 = select(0i, select(select(i32(_e436), i32(-2147483648), (_e436 < -2147483600f)), 2147483647i, (_e436 > 2147483500f)), (_e436 == _e436));
-                                    let _e448 = (_e301.member_1.y * 16777216f);
-                                    let _e455 = select(0i, select(select(i32(_e448), i32(-2147483648), (_e448 < -2147483600f)), 2147483647i, (_e448 > 2147483500f)), (_e448 == _e448));
-                                    let _e460 = (_e301.member_1.z * 16777216f);
-                                    let _e467 = select(0i, select(select(i32(_e460), i32(-2147483648), (_e460 < -2147483600f)), 2147483647i, (_e460 > 2147483500f)), (_e460 == _e460));
-                                    local_9 = array<i32, 3>((_e407 - select(0i, 1i, (f32(_e407) > _e400))), (_e419 - select(0i, 1i, (f32(_e419) > _e412))), (_e431 - select(0i, 1i, (f32(_e431) > _e424))));
-                                    local_8 = array<i32, 3>((_e443 + select(0i, 1i, (f32(_e443) < _e436))), (_e455 + select(0i, 1i, (f32(_e455) < _e448))), (_e467 + select(0i, 1i, (f32(_e467) < _e460))));
-                                    local_18 = array<u32, 4>(0u, 0u, 0u, 0u);
-                                    phi_749_ = type_4(0u, 3u);
-                                    loop {
-                                        let _e475 = phi_749_;
-                                        if (_e475.member < _e475.member_1) {
-                                            phi_750_ = type_4((_e475.member + 1u), _e475.member_1);
-                                            phi_773_ = type_4(1u, _e475.member);
-                                        } else {
-                                            phi_750_ = _e475;
-                                            phi_773_ = type_4(0u, type_4().member_1);
-                                        }
-                                        let _e488 = phi_750_;
-                                        let _e490 = phi_773_;
-                                        let _e494 = (bitcast<i32>(_e490.member) != 0i);
-                                        if _e494 {
-                                            let _e495 = (_e490.member_1 < 3u);
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e497 = local_7[_e490.member_1];
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e499 = local_6[_e490.member_1];
-                                            let _e501 = bitcast<u32>((_e499 - _e497));
-                                            let _e507 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e501)), 32u, (_e501 == 0u)));
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e512 = local_11[_e490.member_1];
-                                            let _e513 = (_e512 - _e497);
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e515 = local_9[_e490.member_1];
-                                            let _e516 = (_e515 - _e497);
-                                            let _e517 = (_e513 > _e516);
-                                            let _e520 = ((select(10u, _e507, (_e507 > 10u)) - 10u) & 31u);
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e529 = local_10[_e490.member_1];
-                                            let _e530 = (_e499 - _e529);
-                                            if _e495 {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            let _e532 = local_8[_e490.member_1];
-                                            let _e533 = (_e499 - _e532);
-                                            let _e534 = (_e530 > _e533);
-                                            let _e547 = ((1u + _e490.member_1) % 4u);
-                                            if (_e547 < 4u) {
-                                            } else {
-                                                phi_2426_ = true;
-                                                break;
-                                            }
-                                            local_18[_e547] = ((((bitcast<u32>(select(_e516, _e513, _e517)) >> bitcast<u32>(_e520)) & 1023u) | (select(0u, 1u, _e517) << bitcast<u32>(10u))) | ((((bitcast<u32>(select(_e533, _e530, _e534)) >> bitcast<u32>(_e520)) & 1023u) | (select(0u, 1u, _e534) << bitcast<u32>(10u))) << bitcast<u32>(11u)));
-                                        }
-                                        continue;
-                                        continuing {
-                                            phi_749_ = _e488;
-                                            phi_2426_ = _e229;
-                                            break if !(_e494);
-                                        }
-                                    }
-                                    let _e553 = phi_2426_;
-                                    phi_2472_ = _e553;
-                                    if _e553 {
-                                        break;
-                                    }
-                                    local_3 = array<i32, 3>(0i, 0i, 0i);
-                                    local_2 = array<i32, 3>(0i, 0i, 0i);
-                                    local_1 = array<i32, 3>(0i, 0i, 0i);
-                                    local = array<i32, 3>(0i, 0i, 0i);
-                                    phi_947_ = type_4(0u, 3u);
-                                    loop {
-                                        let _e555 = phi_947_;
-                                        if (_e555.member < _e555.member_1) {
-                                            phi_948_ = type_4((_e555.member + 1u), _e555.member_1);
-                                            phi_971_ = type_4(1u, _e555.member);
-                                        } else {
-                                            phi_948_ = _e555;
-                                            phi_971_ = type_4(0u, type_4().member_1);
-                                        }
-                                        let _e568 = phi_948_;
-                                        let _e570 = phi_971_;
-                                        let _e574 = (bitcast<i32>(_e570.member) != 0i);
-                                        if _e574 {
-                                            let _e576 = ((1u + _e570.member_1) % 4u);
-                                            if (_e576 < 4u) {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            let _e579 = local_18[_e576];
-                                            let _e581 = ((_e570.member_1 + 1u) % 4u);
-                                            if (_e581 < 4u) {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            let _e584 = local_18[_e581];
-                                            let _e585 = (_e570.member_1 < 3u);
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            let _e587 = local_7[_e570.member_1];
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            let _e589 = local_6[_e570.member_1];
-                                            let _e591 = (_e584 >> bitcast<u32>(11u));
-                                            let _e593 = bitcast<u32>((_e589 - _e587));
-                                            let _e599 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e593)), 32u, (_e593 == 0u)));
-                                            let _e604 = ((select(10u, _e599, (_e599 > 10u)) - 10u) & 31u);
-                                            let _e608 = (_e587 + bitcast<i32>(((_e579 & 1023u) << bitcast<u32>(_e604))));
-                                            let _e613 = (_e589 - bitcast<i32>(((_e591 & 1023u) << bitcast<u32>(_e604))));
-                                            let _e617 = (((_e579 >> bitcast<u32>(10u)) & 1u) == 1u);
-                                            let _e621 = (((_e591 >> bitcast<u32>(10u)) & 1u) == 1u);
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            local_3[_e570.member_1] = select(_e587, _e608, _e617);
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            local_1[_e570.member_1] = select(_e608, _e587, _e617);
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            local_2[_e570.member_1] = select(_e589, _e613, _e621);
-                                            if _e585 {
-                                            } else {
-                                                phi_2455_ = true;
-                                                break;
-                                            }
-                                            local[_e570.member_1] = select(_e613, _e589, _e621);
-                                        }
-                                        continue;
-                                        continuing {
-                                            phi_947_ = _e568;
-                                            phi_2455_ = _e553;
-                                            break if !(_e574);
-                                        }
-                                    }
-                                    let _e632 = phi_2455_;
-                                    phi_2472_ = _e632;
-                                    if _e632 {
-                                        break;
-                                    }
-                                    let _e633 = local;
-                                    let _e634 = local_1;
-                                    let _e635 = local_2;
-                                    let _e636 = local_3;
-                                    if _e264 {
-                                        phi_1176_ = type_33(array<i32, 3>(_e636[0], _e636[1], _e636[2]), array<i32, 3>(_e635[0], _e635[1], _e635[2]));
+                                    let _e180 = phi_307_;
+                                    let _e185 = bitcast<u32>((_e96.member_1[1] - _e96.member[1]));
+                                    let _e191 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e185)), 32u, (_e185 == 0u)));
+                                    let _e194 = (select(10u, _e191, (_e191 > 10u)) - 10u);
+                                    let _e199 = (_e123.member[1][0] - _e96.member[1]);
+                                    let _e200 = (_e123.member[1][1] - _e96.member[1]);
+                                    let _e201 = (_e96.member_1[1] - _e123.member[1][2]);
+                                    let _e202 = (_e96.member_1[1] - _e123.member[1][3]);
+                                    let _e203 = (_e199 > _e200);
+                                    if (_e203 == _e130) {
+                                        let _e206 = (_e194 & 31u);
+                                        phi_344_ = ((select(_e200, _e199, _e203) >> bitcast<u32>(_e206)) << bitcast<u32>(_e206));
                                     } else {
-                                        phi_1176_ = type_33(array<i32, 3>(_e634[0], _e634[1], _e634[2]), array<i32, 3>(_e633[0], _e633[1], _e633[2]));
+                                        phi_344_ = 0i;
                                     }
-                                    let _e656 = phi_1176_;
-                                    local_7 = array<i32, 3>(_e656.member[0], _e656.member[1], _e656.member[2]);
-                                    local_6 = array<i32, 3>(_e656.member_1[0], _e656.member_1[1], _e656.member_1[2]);
-                                    phi_2474_ = _e632;
-                                    phi_1194_ = select(_e258.member_2, _e258.member_1, _e264);
+                                    let _e212 = phi_344_;
+                                    let _e214 = (_e201 > _e202);
+                                    if (_e214 == _e130) {
+                                        let _e217 = (_e194 & 31u);
+                                        phi_359_ = ((select(_e202, _e201, _e214) >> bitcast<u32>(_e217)) << bitcast<u32>(_e217));
+                                    } else {
+                                        phi_359_ = 0i;
+                                    }
+                                    let _e223 = phi_359_;
+                                    let _e228 = bitcast<u32>((_e96.member_1[2] - _e96.member[2]));
+                                    let _e234 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u)));
+                                    let _e237 = (select(10u, _e234, (_e234 > 10u)) - 10u);
+                                    let _e242 = (_e123.member[2][0] - _e96.member[2]);
+                                    let _e243 = (_e123.member[2][1] - _e96.member[2]);
+                                    let _e244 = (_e96.member_1[2] - _e123.member[2][2]);
+                                    let _e245 = (_e96.member_1[2] - _e123.member[2][3]);
+                                    let _e246 = (_e242 > _e243);
+                                    if (_e246 == _e130) {
+                                        let _e249 = (_e237 & 31u);
+                                        phi_396_ = ((select(_e243, _e242, _e246) >> bitcast<u32>(_e249)) << bitcast<u32>(_e249));
+                                    } else {
+                                        phi_396_ = 0i;
+                                    }
+                                    let _e255 = phi_396_;
+                                    let _e257 = (_e244 > _e245);
+                                    if (_e257 == _e130) {
+                                        let _e260 = (_e237 & 31u);
+                                        phi_411_ = ((select(_e245, _e244, _e257) >> bitcast<u32>(_e260)) << bitcast<u32>(_e260));
+                                    } else {
+                                        phi_411_ = 0i;
+                                    }
+                                    let _e266 = phi_411_;
+                                    phi_420_ = type_27(array<i32, 3>((_e96.member[0] + _e169), (_e96.member[1] + _e212), (_e96.member[2] + _e255)), array<i32, 3>((_e96.member_1[0] - _e180), (_e96.member_1[1] - _e223), (_e96.member_1[2] - _e266)));
+                                    phi_421_ = select(_e123.member_2, _e123.member_1, _e130);
                                 }
-                                let _e669 = phi_2474_;
-                                let _e671 = phi_1194_;
-                                phi_2473_ = _e669;
-                                phi_389_ = _e671;
-                                phi_1196_ = select(true, false, _e252);
+                                let _e273 = phi_420_;
+                                let _e275 = phi_421_;
+                                phi_193_ = _e273;
+                                phi_195_ = _e275;
+                                phi_423_ = select(true, false, _e117);
                             } else {
-                                phi_2473_ = _e229;
-                                phi_389_ = u32();
-                                phi_1196_ = false;
+                                phi_193_ = type_27();
+                                phi_195_ = u32();
+                                phi_423_ = false;
                             }
-                            let _e674 = phi_2473_;
-                            let _e676 = phi_389_;
-                            let _e678 = phi_1196_;
+                            let _e278 = phi_193_;
+                            let _e280 = phi_195_;
+                            let _e282 = phi_423_;
                             continue;
                             continuing {
-                                phi_2435_ = _e674;
-                                phi_385_ = _e246;
-                                phi_388_ = _e676;
-                                phi_2472_ = _e674;
-                                break if !(_e678);
+                                phi_189_ = _e111;
+                                phi_192_ = _e278;
+                                phi_194_ = _e280;
+                                phi_1414_ = false;
+                                break if !(_e282);
                             }
                         }
-                        let _e681 = phi_2472_;
-                        if _e681 {
+                        let _e285 = phi_1414_;
+                        if _e285 {
                             break;
                         }
-                        let _e682 = local_6;
-                        let _e683 = local_7;
-                        local_5 = _e683;
-                        local_4 = _e682;
-                        if _e80 {
+                        if _e52 {
                         } else {
                             break;
                         }
-                        let _e687 = global_2.member[_e75].member_1;
-                        if (_e687 == 2147483648u) {
-                            phi_1247_ = type_26(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                        let _e287 = local;
+                        let _e290 = local_1;
+                        let _e302 = global_2.member[_e47].member[0u];
+                        let _e304 = bitcast<u32>((_e290.member_1[0] - _e287.member[0]));
+                        let _e310 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e304)), 32u, (_e304 == 0u)));
+                        let _e318 = (_e302[0] - _e287.member[0]);
+                        let _e319 = (_e302[1] - _e287.member[0]);
+                        let _e320 = (_e290.member_1[0] - _e302[2]);
+                        let _e321 = (_e290.member_1[0] - _e302[3]);
+                        let _e322 = (_e318 > _e319);
+                        let _e325 = ((select(10u, _e310, (_e310 > 10u)) - 10u) & 31u);
+                        let _e333 = (_e320 > _e321);
+                        let _e347 = global_2.member[_e47].member[1u];
+                        let _e349 = bitcast<u32>((_e290.member_1[1] - _e287.member[1]));
+                        let _e355 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e349)), 32u, (_e349 == 0u)));
+                        let _e363 = (_e347[0] - _e287.member[1]);
+                        let _e364 = (_e347[1] - _e287.member[1]);
+                        let _e365 = (_e290.member_1[1] - _e347[2]);
+                        let _e366 = (_e290.member_1[1] - _e347[3]);
+                        let _e367 = (_e363 > _e364);
+                        let _e370 = ((select(10u, _e355, (_e355 > 10u)) - 10u) & 31u);
+                        let _e378 = (_e365 > _e366);
+                        let _e392 = global_2.member[_e47].member[2u];
+                        let _e394 = bitcast<u32>((_e290.member_1[2] - _e287.member[2]));
+                        let _e400 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e394)), 32u, (_e394 == 0u)));
+                        let _e408 = (_e392[0] - _e287.member[2]);
+                        let _e409 = (_e392[1] - _e287.member[2]);
+                        let _e410 = (_e290.member_1[2] - _e392[2]);
+                        let _e411 = (_e290.member_1[2] - _e392[3]);
+                        let _e412 = (_e408 > _e409);
+                        let _e415 = ((select(10u, _e400, (_e400 > 10u)) - 10u) & 31u);
+                        let _e423 = (_e410 > _e411);
+                        if _e52 {
                         } else {
-                            let _e693 = global_2.member[_e75].member[0u];
-                            let _e698 = global_2.member[_e75].member[1u];
-                            let _e703 = global_2.member[_e75].member[2u];
-                            phi_1247_ = type_26(vec3<f32>(_e693[0], _e698[0], _e703[0]), vec3<f32>(_e693[2], _e698[2], _e703[2]));
+                            break;
                         }
-                        let _e714 = phi_1247_;
-                        let _e718 = global_2.member[_e75].member_2;
-                        if (_e718 == 2147483648u) {
-                            phi_1269_ = _e714;
+                        let _e445 = global_2.member[_e47].member_1;
+                        if _e52 {
                         } else {
-                            let _e724 = global_2.member[_e75].member[0u];
-                            let _e729 = global_2.member[_e75].member[1u];
-                            let _e734 = global_2.member[_e75].member[2u];
-                            phi_1269_ = type_26(vec3<f32>(_e724[1], _e729[1], _e734[1]), vec3<f32>(_e724[3], _e729[3], _e734[3]));
+                            break;
                         }
-                        let _e745 = phi_1269_;
-                        let _e758 = (_e714.member.x * 16777216f);
-                        let _e765 = select(0i, select(select(i32(_e758), i32(-2147483648), (_e758 < -2147483600f)), 2147483647i, (_e758 > 2147483500f)), (_e758 == _e758));
-                        let _e770 = (_e714.member.y * 16777216f);
-                        let _e777 = select(0i, select(select(i32(_e770), i32(-2147483648), (_e770 < -2147483600f)), 2147483647i, (_e770 > 2147483500f)), (_e770 == _e770));
-                        let _e782 = (_e714.member.z * 16777216f);
-                        let _e789 = select(0i, select(select(i32(_e782), i32(-2147483648), (_e782 < -2147483600f)), 2147483647i, (_e782 > 2147483500f)), (_e782 == _e782));
-                        let _e794 = (_e714.member_1.x * 16777216f);
-                        let _e801 = select(0i, select(select(i32(_e794), i32(-2147483648), (_e794 < -2147483600f)), 2147483647i, (_e794 > 2147483500f)), (_e794 == _e794));
-                        let _e806 = (_e714.member_1.y * 16777216f);
-                        let _e813 = select(0i, select(select(i32(_e806), i32(-2147483648), (_e806 < -2147483600f)), 2147483647i, (_e806 > 2147483500f)), (_e806 == _e806));
-                        let _e818 = (_e714.member_1.z * 16777216f);
-                        let _e825 = select(0i, select(select(i32(_e818), i32(-2147483648), (_e818 < -2147483600f)), 2147483647i, (_e818 > 2147483500f)), (_e818 == _e818));
-                        local_15 = array<i32, 3>((_e765 - select(0i, 1i, (f32(_e765) > _e758))), (_e777 - select(0i, 1i, (f32(_e777) > _e770))), (_e789 - select(0i, 1i, (f32(_e789) > _e782))));
-                        local_14 = array<i32, 3>((_e801 + select(0i, 1i, (f32(_e801) < _e794))), (_e813 + select(0i, 1i, (f32(_e813) < _e806))), (_e825 + select(0i, 1i, (f32(_e825) < _e818))));
-                        let _e844 = (_e745.member.x * 16777216f);
-                        let _e851 = select(0i, select(select(i32(_e844), i32(-2147483648), (_e844 < -2147483600f)), 2147483647i, (_e844 > 2147483500f)), (_e844 == _e844));
-                        let _e856 = (_e745.member.y * 16777216f);
-                        let _e863 = select(0i, select(select(i32(_e856), i32(-2147483648), (_e856 < -2147483600f)), 2147483647i, (_e856 > 2147483500f)), (_e856 == _e856));
-                        let _e868 = (_e745.member.z * 16777216f);
-                        let _e875 = select(0i, select(select(i32(_e868), i32(-2147483648), (_e868 < -2147483600f)), 2147483647i, (_e868 > 2147483500f)), (_e868 == _e868));
-                        let _e880 = (_e745.member_1.x * 16777216f);
-                        let _e887 = select(0i, select(select(i32(_e880), i32(-2147483648), (_e880 < -2147483600f)), 2147483647i, (_e880 > 2147483500f)), (_e880 == _e880));
-                        let _e892 = (_e745.member_1.y * 16777216f);
-                        let _e899 = select(0i, select(select(i32(_e892), i32(-2147483648), (_e892 < -2147483600f)), 2147483647i, (_e892 > 2147483500f)), (_e892 == _e892));
-                        let _e904 = (_e745.member_1.z * 16777216f);
-                        let _e911 = select(0i, select(select(i32(_e904), i32(-2147483648), (_e904 < -2147483600f)), 2147483647i, (_e904 > 2147483500f)), (_e904 == _e904));
-                        local_13 = array<i32, 3>((_e851 - select(0i, 1i, (f32(_e851) > _e844))), (_e863 - select(0i, 1i, (f32(_e863) > _e856))), (_e875 - select(0i, 1i, (f32(_e875) > _e868))));
-                        local_12 = array<i32, 3>((_e887 + select(0i, 1i, (f32(_e887) < _e880))), (_e899 + select(0i, 1i, (f32(_e899) < _e892))), (_e911 + select(0i, 1i, (f32(_e911) < _e904))));
-                        local_17 = array<u32, 4>(0u, 0u, 0u, 0u);
-                        phi_1541_ = type_4(0u, 3u);
-                        loop {
-                            let _e919 = phi_1541_;
-                            if (_e919.member < _e919.member_1) {
-                                phi_1542_ = type_4((_e919.member + 1u), _e919.member_1);
-                                phi_1565_ = type_4(1u, _e919.member);
+                        let _e449 = global_2.member[_e47].member_2;
+                        let _e451 = ((_e445 & 2147483648u) != 0u);
+                        if _e451 {
+                            let _e455 = (((_e445 >> bitcast<u32>(28u)) & 7u) > 0u);
+                            if _e455 {
+                                phi_850_ = (_e445 & 268435455u);
                             } else {
-                                phi_1542_ = _e919;
-                                phi_1565_ = type_4(0u, type_4().member_1);
+                                phi_850_ = u32();
                             }
-                            let _e932 = phi_1542_;
-                            let _e934 = phi_1565_;
-                            let _e938 = (bitcast<i32>(_e934.member) != 0i);
-                            if _e938 {
-                                let _e939 = (_e934.member_1 < 3u);
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e941 = local_5[_e934.member_1];
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e943 = local_4[_e934.member_1];
-                                let _e945 = bitcast<u32>((_e943 - _e941));
-                                let _e951 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e945)), 32u, (_e945 == 0u)));
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e956 = local_15[_e934.member_1];
-                                let _e957 = (_e956 - _e941);
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e959 = local_13[_e934.member_1];
-                                let _e960 = (_e959 - _e941);
-                                let _e961 = (_e957 > _e960);
-                                let _e964 = ((select(10u, _e951, (_e951 > 10u)) - 10u) & 31u);
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e973 = local_14[_e934.member_1];
-                                let _e974 = (_e943 - _e973);
-                                if _e939 {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                let _e976 = local_12[_e934.member_1];
-                                let _e977 = (_e943 - _e976);
-                                let _e978 = (_e974 > _e977);
-                                let _e991 = ((1u + _e934.member_1) % 4u);
-                                if (_e991 < 4u) {
-                                } else {
-                                    phi_2477_ = true;
-                                    break;
-                                }
-                                local_17[_e991] = ((((bitcast<u32>(select(_e960, _e957, _e961)) >> bitcast<u32>(_e964)) & 1023u) | (select(0u, 1u, _e961) << bitcast<u32>(10u))) | ((((bitcast<u32>(select(_e977, _e974, _e978)) >> bitcast<u32>(_e964)) & 1023u) | (select(0u, 1u, _e978) << bitcast<u32>(10u))) << bitcast<u32>(11u)));
-                            }
-                            continue;
-                            continuing {
-                                phi_1541_ = _e932;
-                                phi_2477_ = _e681;
-                                break if !(_e938);
-                            }
+                            let _e458 = phi_850_;
+                            phi_852_ = _e458;
+                            phi_853_ = select(true, false, _e455);
+                        } else {
+                            phi_852_ = u32();
+                            phi_853_ = true;
                         }
-                        let _e997 = phi_2477_;
-                        if _e997 {
-                            break;
-                        }
-                        phi_1739_ = type_4(0u, 3u);
-                        loop {
-                            let _e999 = phi_1739_;
-                            if (_e999.member < _e999.member_1) {
-                                phi_1740_ = type_4((_e999.member + 1u), _e999.member_1);
-                                phi_1763_ = type_4(1u, _e999.member);
+                        let _e461 = phi_852_;
+                        let _e463 = phi_853_;
+                        if _e463 {
+                            if ((_e449 & 2147483648u) != 0u) {
+                                let _e469 = (((_e449 >> bitcast<u32>(28u)) & 7u) > 0u);
+                                if _e469 {
+                                    phi_869_ = (_e449 & 268435455u);
+                                } else {
+                                    phi_869_ = u32();
+                                }
+                                let _e472 = phi_869_;
+                                phi_871_ = _e472;
+                                phi_872_ = select(true, false, _e469);
                             } else {
-                                phi_1740_ = _e999;
-                                phi_1763_ = type_4(0u, type_4().member_1);
+                                phi_871_ = u32();
+                                phi_872_ = true;
                             }
-                            let _e1012 = phi_1740_;
-                            let _e1014 = phi_1763_;
-                            let _e1018 = (bitcast<i32>(_e1014.member) != 0i);
-                            if _e1018 {
-                                if (((1u + _e1014.member_1) % 4u) < 4u) {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if (((_e1014.member_1 + 1u) % 4u) < 4u) {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                let _e1025 = (_e1014.member_1 < 3u);
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                                if _e1025 {
-                                } else {
-                                    phi_2493_ = true;
-                                    break;
-                                }
-                            }
-                            continue;
-                            continuing {
-                                phi_1739_ = _e1012;
-                                phi_2493_ = _e997;
-                                break if !(_e1018);
-                            }
+                            let _e475 = phi_871_;
+                            let _e477 = phi_872_;
+                            phi_877_ = select(_e475, 0u, _e477);
+                        } else {
+                            phi_877_ = _e461;
                         }
-                        let _e1028 = phi_2493_;
-                        if _e1028 {
-                            break;
-                        }
-                        let _e1029 = local_17;
-                        if _e80 {
+                        let _e480 = phi_877_;
+                        if _e52 {
                         } else {
                             break;
                         }
-                        if _e80 {
+                        if _e52 {
                         } else {
                             break;
                         }
-                        let _e1031 = ((_e687 & 2147483648u) != 0u);
-                        if _e1031 {
-                            let _e1035 = (((_e687 >> bitcast<u32>(28u)) & 7u) > 0u);
-                            if _e1035 {
-                                phi_1971_ = (_e687 & 268435455u);
+                        if _e451 {
+                            phi_905_ = select(_e449, 0u, ((_e449 & 2147483648u) != 0u));
+                        } else {
+                            phi_905_ = _e445;
+                        }
+                        let _e485 = phi_905_;
+                        if _e451 {
+                            let _e488 = ((_e445 >> bitcast<u32>(28u)) & 7u);
+                            phi_920_ = select(_e488, 7u, (_e488 == 0u));
+                        } else {
+                            phi_920_ = 0u;
+                        }
+                        let _e492 = phi_920_;
+                        if ((_e449 & 2147483648u) != 0u) {
+                            let _e497 = ((_e449 >> bitcast<u32>(28u)) & 7u);
+                            phi_935_ = select(_e497, 7u, (_e497 == 0u));
+                        } else {
+                            phi_935_ = 0u;
+                        }
+                        let _e501 = phi_935_;
+                        let _e514 = ((_e480 & 268435455u) | ((_e501 >> bitcast<u32>(1i)) << bitcast<u32>(28u)));
+                        if _e53 {
+                        } else {
+                            break;
+                        }
+                        global_3.member[_e47] = array<u32, 4>((((_e485 & 268435455u) | (_e492 << bitcast<u32>(28u))) | (_e501 << bitcast<u32>(31i))), (((((bitcast<u32>(select(_e319, _e318, _e322)) >> bitcast<u32>(_e325)) & 1023u) | (select(0u, 1u, _e322) << bitcast<u32>(10u))) | ((((bitcast<u32>(select(_e321, _e320, _e333)) >> bitcast<u32>(_e325)) & 1023u) | (select(0u, 1u, _e333) << bitcast<u32>(10u))) << bitcast<u32>(11u))) | (_e514 << bitcast<u32>(22i))), (((((bitcast<u32>(select(_e364, _e363, _e367)) >> bitcast<u32>(_e370)) & 1023u) | (select(0u, 1u, _e367) << bitcast<u32>(10u))) | ((((bitcast<u32>(select(_e366, _e365, _e378)) >> bitcast<u32>(_e370)) & 1023u) | (select(0u, 1u, _e378) << bitcast<u32>(10u))) << bitcast<u32>(11u))) | ((_e514 >> bitcast<u32>(10u)) << bitcast<u32>(22i))), (((((bitcast<u32>(select(_e409, _e408, _e412)) >> bitcast<u32>(_e415)) & 1023u) | (select(0u, 1u, _e412) << bitcast<u32>(10u))) | ((((bitcast<u32>(select(_e411, _e410, _e423)) >> bitcast<u32>(_e415)) & 1023u) | (select(0u, 1u, _e423) << bitcast<u32>(10u))) << bitcast<u32>(11u))) | ((_e514 >> bitcast<u32>(20u)) << bitcast<u32>(22i))));
+                        if (_e47 == 0u) {
+                            if (_e43 == 0u) {
                             } else {
-                                phi_1971_ = u32();
-                            }
-                            let _e1038 = phi_1971_;
-                            phi_1973_ = _e1038;
-                            phi_1974_ = select(true, false, _e1035);
-                        } else {
-                            phi_1973_ = u32();
-                            phi_1974_ = true;
-                        }
-                        let _e1041 = phi_1973_;
-                        let _e1043 = phi_1974_;
-                        if _e1043 {
-                            if ((_e718 & 2147483648u) != 0u) {
-                                let _e1049 = (((_e718 >> bitcast<u32>(28u)) & 7u) > 0u);
-                                if _e1049 {
-                                    phi_1990_ = (_e718 & 268435455u);
-                                } else {
-                                    phi_1990_ = u32();
-                                }
-                                let _e1052 = phi_1990_;
-                                phi_1992_ = _e1052;
-                                phi_1993_ = select(true, false, _e1049);
-                            } else {
-                                phi_1992_ = u32();
-                                phi_1993_ = true;
-                            }
-                            let _e1055 = phi_1992_;
-                            let _e1057 = phi_1993_;
-                            phi_1998_ = select(_e1055, 0u, _e1057);
-                        } else {
-                            phi_1998_ = _e1041;
-                        }
-                        let _e1060 = phi_1998_;
-                        if _e80 {
-                        } else {
-                            break;
-                        }
-                        if _e80 {
-                        } else {
-                            break;
-                        }
-                        if _e1031 {
-                            phi_2026_ = select(_e718, 0u, ((_e718 & 2147483648u) != 0u));
-                        } else {
-                            phi_2026_ = _e687;
-                        }
-                        let _e1065 = phi_2026_;
-                        if _e1031 {
-                            let _e1068 = ((_e687 >> bitcast<u32>(28u)) & 7u);
-                            phi_2041_ = select(_e1068, 7u, (_e1068 == 0u));
-                        } else {
-                            phi_2041_ = 0u;
-                        }
-                        let _e1072 = phi_2041_;
-                        if ((_e718 & 2147483648u) != 0u) {
-                            let _e1077 = ((_e718 >> bitcast<u32>(28u)) & 7u);
-                            phi_2056_ = select(_e1077, 7u, (_e1077 == 0u));
-                        } else {
-                            phi_2056_ = 0u;
-                        }
-                        let _e1081 = phi_2056_;
-                        local_16 = _e1029;
-                        local_16[0u] = (((_e1065 & 268435455u) | (_e1072 << bitcast<u32>(28u))) | (_e1081 << bitcast<u32>(31i)));
-                        phi_2155_ = type_4(0u, 3u);
-                        loop {
-                            let _e1097 = phi_2155_;
-                            if (_e1097.member < _e1097.member_1) {
-                                phi_2156_ = type_4((_e1097.member + 1u), _e1097.member_1);
-                                phi_2179_ = type_4(1u, _e1097.member);
-                            } else {
-                                phi_2156_ = _e1097;
-                                phi_2179_ = type_4(0u, type_4().member_1);
-                            }
-                            let _e1110 = phi_2156_;
-                            let _e1112 = phi_2179_;
-                            let _e1116 = (bitcast<i32>(_e1112.member) != 0i);
-                            if _e1116 {
-                                let _e1124 = ((_e1112.member_1 + 1u) % 4u);
-                                if (_e1124 < 4u) {
-                                } else {
-                                    phi_2503_ = true;
-                                    break;
-                                }
-                                let _e1127 = local_16[_e1124];
-                                local_16[_e1124] = (_e1127 | ((((_e1060 & 268435455u) | ((_e1081 >> bitcast<u32>(1i)) << bitcast<u32>(28u))) >> bitcast<u32>(((10u * _e1112.member_1) & 31u))) << bitcast<u32>(22i)));
-                            }
-                            continue;
-                            continuing {
-                                phi_2155_ = _e1110;
-                                phi_2503_ = _e1028;
-                                break if !(_e1116);
-                            }
-                        }
-                        let _e1131 = phi_2503_;
-                        if _e1131 {
-                            break;
-                        }
-                        let _e1132 = local_16;
-                        if _e81 {
-                        } else {
-                            break;
-                        }
-                        global_3.member[_e75] = array<u32, 4>(_e1132[0], _e1132[1], _e1132[2], _e1132[3]);
-                        if (_e75 == 0u) {
-                            if (_e71 == 0u) {
-                            } else {
-                                if (0u < _e71) {
+                                if (0u < _e43) {
                                 } else {
                                     break;
                                 }
-                                global_4.member[0u] = type_27(array<u32, 4>(bitcast<u32>(_e683[0]), bitcast<u32>(_e683[1]), bitcast<u32>(_e683[2]), 4294967272u), array<u32, 4>(bitcast<u32>(_e682[0]), bitcast<u32>(_e682[1]), bitcast<u32>(_e682[2]), 0u));
+                                global_4.member[0u] = type_22(array<u32, 4>(bitcast<u32>(_e287.member[0]), bitcast<u32>(_e287.member[1]), bitcast<u32>(_e287.member[2]), 4294967272u), array<u32, 4>(bitcast<u32>(_e290.member_1[0]), bitcast<u32>(_e290.member_1[1]), bitcast<u32>(_e290.member_1[2]), 0u));
                             }
                         }
                     }

@@ -11,43 +11,38 @@ struct type_13 {
     member: vec4<u32>,
 }
 
-struct type_22 {
-    member: array<array<f32, 4>, 3>,
+struct type_18 {
+    member: array<array<i32, 4>, 3>,
     member_1: u32,
     member_2: u32,
     member_3: u32,
     member_4: u32,
 }
 
-struct type_24 {
-    member: array<type_22>,
+struct type_20 {
+    member: array<type_18>,
 }
 
-struct type_27 {
-    member: vec3<f32>,
-    member_1: vec3<f32>,
-}
-
-struct type_28 {
+struct type_23 {
     member: array<u32, 4>,
     member_1: array<u32, 4>,
 }
 
-struct type_30 {
-    member: array<type_28>,
+struct type_25 {
+    member: array<type_23>,
 }
 
-struct type_34 {
+struct type_29 {
     member: array<i32, 3>,
     member_1: array<i32, 3>,
 }
 
-struct type_40 {
+struct type_34 {
     member: array<array<u32, 7>>,
 }
 
-struct type_45 {
-    member: array<type_34>,
+struct type_38 {
+    member: array<type_29>,
 }
 
 var<private> global: vec3<u32>;
@@ -58,851 +53,457 @@ var<uniform> global_2: type_13;
 @group(0) @binding(2) 
 var<uniform> global_3: type_13;
 @group(0) @binding(3) 
-var<storage> global_4: type_24;
+var<storage> global_4: type_20;
 @group(0) @binding(5) 
-var<storage, read_write> global_5: type_45;
+var<storage, read_write> global_5: type_38;
 @group(0) @binding(6) 
 var<storage, read_write> global_6: type_4;
 @group(0) @binding(7) 
-var<storage, read_write> global_7: type_30;
+var<storage, read_write> global_7: type_25;
 @group(0) @binding(4) 
-var<storage, read_write> global_8: type_40;
+var<storage, read_write> global_8: type_34;
 
 fn function_() {
-    var local: array<i32, 3>;
-    var local_1: array<i32, 3>;
-    var local_2: array<i32, 3>;
-    var local_3: array<i32, 3>;
-    var local_4: array<i32, 3>;
-    var local_5: array<i32, 3>;
-    var local_6: array<i32, 3>;
-    var local_7: array<i32, 3>;
-    var local_8: array<i32, 3>;
-    var local_9: array<i32, 3>;
-    var local_10: array<i32, 3>;
-    var local_11: array<i32, 3>;
-    var local_12: array<i32, 3>;
-    var local_13: array<i32, 3>;
-    var local_14: array<i32, 3>;
-    var local_15: array<i32, 3>;
-    var local_16: array<i32, 3>;
-    var local_17: array<i32, 3>;
-    var local_18: array<i32, 3>;
-    var local_19: array<i32, 3>;
-    var local_20: array<u32, 7>;
-    var local_21: array<u32, 7>;
-    var phi_184_: i32;
-    var phi_230_: type_22;
-    var phi_248_: type_27;
-    var phi_266_: type_27;
-    var phi_2559_: bool;
-    var phi_443_: type_8;
-    var phi_446_: u32;
-    var phi_444_: type_8;
-    var phi_469_: type_8;
-    var phi_491_: type_22;
-    var phi_499_: bool;
-    var phi_517_: type_27;
-    var phi_535_: type_27;
-    var phi_807_: type_8;
-    var phi_808_: type_8;
-    var phi_831_: type_8;
-    var phi_2550_: bool;
-    var phi_1005_: type_8;
-    var phi_1006_: type_8;
-    var phi_1029_: type_8;
-    var phi_2581_: bool;
-    var phi_1234_: type_34;
-    var phi_2600_: bool;
-    var phi_1252_: u32;
-    var phi_2599_: bool;
-    var phi_447_: u32;
-    var phi_1254_: bool;
-    var phi_2598_: bool;
-    var phi_1305_: type_27;
-    var phi_1327_: type_27;
-    var phi_1599_: type_8;
-    var phi_1600_: type_8;
-    var phi_1623_: type_8;
-    var phi_2603_: bool;
-    var phi_1797_: type_8;
-    var phi_1798_: type_8;
-    var phi_1821_: type_8;
-    var phi_2619_: bool;
-    var phi_2176_: u32;
-    var phi_2182_: u32;
-    var phi_2189_: type_8;
-    var phi_2190_: type_8;
-    var phi_2213_: type_8;
-    var phi_2636_: bool;
-    var phi_2651_: bool;
-    var phi_2309_: u32;
-    var phi_2315_: u32;
-    var phi_2322_: type_8;
-    var phi_2323_: type_8;
-    var phi_2346_: type_8;
-    var phi_2644_: bool;
+    var phi_164_: i32;
+    var phi_165_: i32;
+    var phi_211_: type_18;
+    var phi_262_: type_8;
+    var phi_265_: type_29;
+    var phi_267_: u32;
+    var phi_263_: type_8;
+    var phi_290_: type_8;
+    var phi_312_: type_18;
+    var phi_321_: bool;
+    var phi_365_: i32;
+    var phi_380_: i32;
+    var phi_417_: i32;
+    var phi_432_: i32;
+    var phi_469_: i32;
+    var phi_484_: i32;
+    var phi_493_: type_29;
+    var phi_494_: u32;
+    var phi_266_: type_29;
+    var phi_268_: u32;
+    var phi_496_: bool;
+    var phi_1436_: bool;
+    var local: type_29;
+    var local_1: type_29;
+    var local_2: type_29;
+    var phi_1163_: u32;
+    var phi_1169_: u32;
+    var phi_1176_: type_8;
+    var phi_1177_: type_8;
+    var phi_1200_: type_8;
+    var phi_1469_: bool;
+    var phi_1529_: bool;
+    var phi_1296_: u32;
+    var phi_1302_: u32;
+    var phi_1309_: type_8;
+    var phi_1310_: type_8;
+    var phi_1333_: type_8;
+    var phi_1522_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e74 = arrayLength((&global_4.member));
-            let _e82 = arrayLength((&global_6.member));
-            let _e85 = arrayLength((&global_7.member));
-            let _e88 = global_3.member[0u];
-            let _e92 = global_2.member[0u];
-            let _e94 = (bitcast<i32>(_e88) + bitcast<i32>(_e92));
-            if (_e94 < -126i) {
-                phi_184_ = -126i;
+            let _e39 = global;
+            let _e41 = arrayLength((&global_4.member));
+            let _e49 = arrayLength((&global_6.member));
+            let _e52 = arrayLength((&global_7.member));
+            let _e55 = global_3.member[1u];
+            if (_e55 == 0u) {
+                let _e73 = global_3.member[0u];
+                phi_165_ = bitcast<i32>(_e73);
             } else {
-                phi_184_ = select(_e94, 127i, (_e94 > 127i));
+                let _e59 = global_3.member[0u];
+                let _e63 = global_2.member[0u];
+                let _e65 = (bitcast<i32>(_e59) + bitcast<i32>(_e63));
+                if (_e65 < -126i) {
+                    phi_164_ = -126i;
+                } else {
+                    phi_164_ = select(_e65, 127i, (_e65 > 127i));
+                }
+                let _e70 = phi_164_;
+                phi_165_ = _e70;
             }
-            let _e99 = phi_184_;
-            let _e103 = (_e72.x + (_e72.y * 2097152u));
-            let _e106 = global_1.member[0u];
-            if (_e103 < _e106) {
-                let _e108 = (_e103 < _e74);
-                if _e108 {
-                    let _e109 = (_e103 < arrayLength((&global_8.member)));
-                    if _e109 {
-                        let _e110 = (_e103 < arrayLength((&global_5.member)));
-                        if _e110 {
-                            let _e111 = (0u < _e74);
-                            if _e111 {
-                                if _e111 {
+            let _e76 = phi_165_;
+            let _e80 = (_e39.x + (_e39.y * 2097152u));
+            let _e83 = global_1.member[0u];
+            if (_e80 < _e83) {
+                let _e85 = (_e80 < _e41);
+                if _e85 {
+                    let _e86 = (_e80 < arrayLength((&global_8.member)));
+                    if _e86 {
+                        let _e87 = (_e80 < arrayLength((&global_5.member)));
+                        if _e87 {
+                            let _e88 = (0u < _e41);
+                            if _e88 {
+                                if _e88 {
                                 } else {
                                     break;
                                 }
-                                let _e114 = global_4.member[0u];
-                                phi_230_ = _e114;
+                                let _e91 = global_4.member[0u];
+                                phi_211_ = _e91;
                             } else {
-                                phi_230_ = type_22(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                                phi_211_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                             }
-                            let _e116 = phi_230_;
-                            if (_e116.member_1 == 2147483648u) {
-                                phi_248_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
-                            } else {
-                                phi_248_ = type_27(vec3<f32>(_e116.member[0][0], _e116.member[1][0], _e116.member[2][0]), vec3<f32>(_e116.member[0][2], _e116.member[1][2], _e116.member[2][2]));
-                            }
-                            let _e135 = phi_248_;
-                            if (_e116.member_2 == 2147483648u) {
-                                phi_266_ = _e135;
-                            } else {
-                                phi_266_ = type_27(vec3<f32>(_e116.member[0][1], _e116.member[1][1], _e116.member[2][1]), vec3<f32>(_e116.member[0][3], _e116.member[1][3], _e116.member[2][3]));
-                            }
-                            let _e154 = phi_266_;
-                            let _e187 = bitcast<f32>((bitcast<u32>((127i - _e99)) << bitcast<u32>(23i)));
-                            let _e188 = (select(_e154.member.x, _e135.member.x, (_e135.member.x < _e154.member.x)) * _e187);
-                            let _e195 = select(0i, select(select(i32(_e188), i32(-2147483648), (_e188 < -2147483600f)), 2147483647i, (_e188 > 2147483500f)), (_e188 == _e188));
-                            let _e200 = (select(_e154.member.y, _e135.member.y, (_e135.member.y < _e154.member.y)) * _e187);
-                            let _e207 = select(0i, select(select(i32(_e200), i32(-2147483648), (_e200 < -2147483600f)), 2147483647i, (_e200 > 2147483500f)), (_e200 == _e200));
-                            let _e212 = (select(_e154.member.z, _e135.member.z, (_e135.member.z < _e154.member.z)) * _e187);
-                            let _e219 = select(0i, select(select(i32(_e212), i32(-2147483648), (_e212 < -2147483600f)), 2147483647i, (_e212 > 2147483500f)), (_e212 == _e212));
-                            let _e224 = (select(_e154.member_1.x, _e135.member_1.x, (_e135.member_1.x > _e154.member_1.x)) * _e187);
-                            let _e231 = select(0i, select(select(i32(_e224), i32(-2147483648), (_e224 < -2147483600f)), 2147483647i, (_e224 > 2147483500f)), (_e224 == _e224));
-                            let _e236 = (select(_e154.member_1.y, _e135.member_1.y, (_e135.member_1.y > _e154.member_1.y)) * _e187);
-                            let _e243 = select(0i, select(select(i32(_e236), i32(-2147483648), (_e236 < -2147483600f)), 2147483647i, (_e236 > 2147483500f)), (_e236 == _e236));
-                            let _e248 = (select(_e154.member_1.z, _e135.member_1.z, (_e135.member_1.z > _e154.member_1.z)) * _e187);
-                            let _e255 = select(0i, select(select(i32(_e248), i32(-2147483648), (_e248 < -2147483600f)), 2147483647i, (_e248 > 2147483500f)), (_e248 == _e248));
-                            local_11 = array<i32, 3>((_e195 - select(0i, 1i, (f32(_e195) > _e188))), (_e207 - select(0i, 1i, (f32(_e207) > _e200))), (_e219 - select(0i, 1i, (f32(_e219) > _e212))));
-                            local_10 = array<i32, 3>((_e231 + select(0i, 1i, (f32(_e231) < _e224))), (_e243 + select(0i, 1i, (f32(_e243) < _e236))), (_e255 + select(0i, 1i, (f32(_e255) < _e248))));
-                            phi_2559_ = false;
-                            phi_443_ = type_8(0u, 128u);
-                            phi_446_ = 0u;
+                            let _e93 = phi_211_;
+                            phi_262_ = type_8(0u, 128u);
+                            phi_265_ = type_29(array<i32, 3>(select(_e93.member[0][0], _e93.member[0][1], (_e93.member[0][1] < _e93.member[0][0])), select(_e93.member[1][0], _e93.member[1][1], (_e93.member[1][1] < _e93.member[1][0])), select(_e93.member[2][0], _e93.member[2][1], (_e93.member[2][1] < _e93.member[2][0]))), array<i32, 3>(select(_e93.member[0][3], _e93.member[0][2], (_e93.member[0][3] < _e93.member[0][2])), select(_e93.member[1][3], _e93.member[1][2], (_e93.member[1][3] < _e93.member[1][2])), select(_e93.member[2][3], _e93.member[2][2], (_e93.member[2][3] < _e93.member[2][2]))));
+                            phi_267_ = 0u;
                             loop {
-                                let _e263 = phi_2559_;
-                                let _e265 = phi_443_;
-                                let _e267 = phi_446_;
-                                if (_e265.member < _e265.member_1) {
-                                    phi_444_ = type_8((_e265.member + 1u), _e265.member_1);
-                                    phi_469_ = type_8(1u, _e265.member);
+                                let _e128 = phi_262_;
+                                let _e130 = phi_265_;
+                                let _e132 = phi_267_;
+                                local = _e130;
+                                local_1 = _e130;
+                                local_2 = _e130;
+                                if (_e128.member < _e128.member_1) {
+                                    phi_263_ = type_8((_e128.member + 1u), _e128.member_1);
+                                    phi_290_ = type_8(1u, _e128.member);
                                 } else {
-                                    phi_444_ = _e265;
-                                    phi_469_ = type_8(0u, type_8().member_1);
+                                    phi_263_ = _e128;
+                                    phi_290_ = type_8(0u, type_8().member_1);
                                 }
-                                let _e280 = phi_444_;
-                                let _e282 = phi_469_;
-                                if (bitcast<i32>(_e282.member) != 0i) {
-                                    let _e286 = (_e267 == _e103);
-                                    if _e286 {
-                                        phi_2600_ = _e263;
-                                        phi_1252_ = u32();
+                                let _e145 = phi_263_;
+                                let _e147 = phi_290_;
+                                if (bitcast<i32>(_e147.member) != 0i) {
+                                    let _e151 = (_e132 == _e80);
+                                    if _e151 {
+                                        phi_493_ = type_29();
+                                        phi_494_ = u32();
                                     } else {
-                                        let _e287 = (_e267 < _e74);
-                                        if _e287 {
-                                            if _e287 {
+                                        let _e152 = (_e132 < _e41);
+                                        if _e152 {
+                                            if _e152 {
                                             } else {
-                                                phi_2598_ = true;
+                                                phi_1436_ = true;
                                                 break;
                                             }
-                                            let _e290 = global_4.member[_e267];
-                                            phi_491_ = _e290;
+                                            let _e155 = global_4.member[_e132];
+                                            phi_312_ = _e155;
                                         } else {
-                                            phi_491_ = type_22(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u, 0u, 0u);
+                                            phi_312_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
                                         }
-                                        let _e292 = phi_491_;
-                                        if ((_e292.member_1 & 2147483648u) != 0u) {
-                                            phi_499_ = false;
+                                        let _e157 = phi_312_;
+                                        if ((_e157.member_1 & 2147483648u) != 0u) {
+                                            phi_321_ = false;
                                         } else {
-                                            phi_499_ = (_e103 <= _e292.member_1);
+                                            phi_321_ = (_e80 <= _e157.member_1);
                                         }
-                                        let _e298 = phi_499_;
-                                        if (_e292.member_1 == 2147483648u) {
-                                            phi_517_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                                        let _e164 = phi_321_;
+                                        let _e176 = bitcast<u32>((_e130.member_1[0] - _e130.member[0]));
+                                        let _e182 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e176)), 32u, (_e176 == 0u)));
+                                        let _e185 = (select(21u, _e182, (_e182 > 21u)) - 21u);
+                                        let _e190 = (_e157.member[0][0] - _e130.member[0]);
+                                        let _e191 = (_e157.member[0][1] - _e130.member[0]);
+                                        let _e192 = (_e130.member_1[0] - _e157.member[0][2]);
+                                        let _e193 = (_e130.member_1[0] - _e157.member[0][3]);
+                                        let _e194 = (_e190 > _e191);
+                                        if (_e194 == _e164) {
+                                            let _e197 = (_e185 & 31u);
+                                            phi_365_ = ((select(_e191, _e190, _e194) >> bitcast<u32>(_e197)) << bitcast<u32>(_e197));
                                         } else {
-                                            phi_517_ = type_27(vec3<f32>(_e292.member[0][0], _e292.member[1][0], _e292.member[2][0]), vec3<f32>(_e292.member[0][2], _e292.member[1][2], _e292.member[2][2]));
+                                            phi_365_ = 0i;
                                         }
-                                        let _e316 = phi_517_;
-                                        if (_e292.member_2 == 2147483648u) {
-                                            phi_535_ = _e316;
+                                        let _e203 = phi_365_;
+                                        let _e205 = (_e192 > _e193);
+                                        if (_e205 == _e164) {
+                                            let _e208 = (_e185 & 31u);
+                                            phi_380_ = ((select(_e193, _e192, _e205) >> bitcast<u32>(_e208)) << bitcast<u32>(_e208));
                                         } else {
-                                            phi_535_ = type_27(vec3<f32>(_e292.member[0][1], _e292.member[1][1], _e292.member[2][1]), vec3<f32>(_e292.member[0][3], _e292.member[1][3], _e292.member[2][3]));
+                                            phi_380_ = 0i;
                                         }
-                                        let _e335 = phi_535_;
-                                        let _e348 = (_e316.member.x * _e187);
-                                        let _e355 = select(0i, select(select(i32(_e348), i32(-2147483648), (_e348 < -2147483600f)), 2147483647i, (_e348 > 2147483500f)), (_e348 == _e348));
-                                        let _e360 = (_e316.member.y * _e187);
-                                        let _e367 = select(0i, select(select(i32(_e360), i32(-2147483648), (_e360 < -2147483600f)), 2147483647i, (_e360 > 2147483500f)), (_e360 == _e360));
-                                        let _e372 = (_e316.member.z * _e187);
-                                        let _e379 = select(0i, select(select(i32(_e372), i32(-2147483648), (_e372 < -2147483600f)), 2147483647i, (_e372 > 2147483500f)), (_e372 == _e372));
-                                        let _e384 = (_e316.member_1.x * _e187);
-                                        let _e391 = select(0i, select(select(i32(_e384), i32(-2147483648), (_e384 < -2147483600f)), 2147483647i, (_e384 > 2147483500f)), (_e384 == _e384));
-                                        let _e396 = (_e316.member_1.y * _e187);
-                                        let _e403 = select(0i, select(select(i32(_e396), i32(-2147483648), (_e396 < -2147483600f)), 2147483647i, (_e396 > 2147483500f)), (_e396 == _e396));
-                                        let _e408 = (_e316.member_1.z * _e187);
-                                        let _e415 = select(0i, select(select(i32(_e408), i32(-2147483648), (_e408 < -2147483600f)), 2147483647i, (_e408 > 2147483500f)), (_e408 == _e408));
-                                        local_15 = array<i32, 3>((_e355 - select(0i, 1i, (f32(_e355) > _e348))), (_e367 - select(0i, 1i, (f32(_e367) > _e360))), (_e379 - select(0i, 1i, (f32(_e379) > _e372))));
-                                        local_14 = array<i32, 3>((_e391 + select(0i, 1i, (f32(_e391) < _e384))), (_e403 + select(0i, 1i, (f32(_e403) < _e396))), (_e415 + select(0i, 1i, (f32(_e415) < _e408))));
-                                        let _e434 = (_e335.member.x * _e187);
-                                        let _e441 = select(0i, select(select(i32(_e434), i32(-2147483648), (_e434 < -2147483600f)), 2147483647i, (_e434 > 2147483500f)), (_e434 == _e434));
-                                        let _e446 = (_e335.member.y * _e187);
-                                        let _e453 = select(0i, select(select(i32(_e446), i32(-2147483648), (_e446 < -2147483600f)), 2147483647i, (_e446 > 2147483500f)), (_e446 == _e446));
-                                        let _e458 = (_e335.member.z * _e187);
-                                        let _e465 = select(0i, select(select(i32(_e458), i32(-2147483648), (_e458 < -2147483600f)), 2147483647i, (_e458 > 2147483500f)), (_e458 == _e458));
-                                        let _e470 = (_e335.member_1.x * _e187);
-                                        let _e477 = select(0i, select(select(i32(_e470), i32(-2147483648), (_e470 < -2147483600f)), 2147483647i, (_e470 > 2147483500f)), (_e470 == _e470));
-                                        let _e482 = (_e335.member_1.y * _e187);
-                                        let _e489 = select(0i, select(select(i32(_e482), i32(-2147483648), (_e482 < -2147483600f)), 2147483647i, (_e482 > 2147483500f)), (_e482 == _e482));
-                                        let _e494 = (_e335.member_1.z * _e187);
-                                        let _e501 = select(0i, select(select(i32(_e494), i32(-2147483648), (_e494 < -2147483600f)), 2147483647i, (_e494 > 2147483500f)), (_e494 == _e494));
-                                        local_13 = array<i32, 3>((_e441 - select(0i, 1i, (f32(_e441) > _e434))), (_e453 - select(0i, 1i, (f32(_e453) > _e446))), (_e465 - select(0i, 1i, (f32(_e465) > _e458))));
-                                        local_12 = array<i32, 3>((_e477 + select(0i, 1i, (f32(_e477) < _e470))), (_e489 + select(0i, 1i, (f32(_e489) < _e482))), (_e501 + select(0i, 1i, (f32(_e501) < _e494))));
-                                        local_21 = array<u32, 7>(0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                                        phi_807_ = type_8(0u, 3u);
-                                        loop {
-                                            let _e509 = phi_807_;
-                                            if (_e509.member < _e509.member_1) {
-                                                phi_808_ = type_8((_e509.member + 1u), _e509.member_1);
-                                                phi_831_ = type_8(1u, _e509.member);
-                                            } else {
-                                                phi_808_ = _e509;
-                                                phi_831_ = type_8(0u, type_8().member_1);
-                                            }
-                                            let _e522 = phi_808_;
-                                            let _e524 = phi_831_;
-                                            let _e528 = (bitcast<i32>(_e524.member) != 0i);
-                                            if _e528 {
-                                                let _e529 = (_e524.member_1 < 3u);
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e531 = local_11[_e524.member_1];
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e533 = local_10[_e524.member_1];
-                                                let _e535 = bitcast<u32>((_e533 - _e531));
-                                                let _e541 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e535)), 32u, (_e535 == 0u)));
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e546 = local_15[_e524.member_1];
-                                                let _e547 = (_e546 - _e531);
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e549 = local_13[_e524.member_1];
-                                                let _e550 = (_e549 - _e531);
-                                                let _e551 = (_e547 > _e550);
-                                                let _e554 = ((select(21u, _e541, (_e541 > 21u)) - 21u) & 31u);
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e563 = local_14[_e524.member_1];
-                                                let _e564 = (_e533 - _e563);
-                                                if _e529 {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                let _e566 = local_12[_e524.member_1];
-                                                let _e567 = (_e533 - _e566);
-                                                let _e568 = (_e564 > _e567);
-                                                let _e578 = (_e524.member_1 * 2u);
-                                                let _e580 = ((1u + _e578) % 7u);
-                                                if (_e580 < 7u) {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                local_21[_e580] = (((bitcast<u32>(select(_e550, _e547, _e551)) >> bitcast<u32>(_e554)) & 2097151u) | (select(0u, 1u, _e551) << bitcast<u32>(21u)));
-                                                let _e584 = ((_e578 + 2u) % 7u);
-                                                if (_e584 < 7u) {
-                                                } else {
-                                                    phi_2550_ = true;
-                                                    break;
-                                                }
-                                                local_21[_e584] = (((bitcast<u32>(select(_e567, _e564, _e568)) >> bitcast<u32>(_e554)) & 2097151u) | (select(0u, 1u, _e568) << bitcast<u32>(21u)));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_807_ = _e522;
-                                                phi_2550_ = _e263;
-                                                break if !(_e528);
-                                            }
-                                        }
-                                        let _e589 = phi_2550_;
-                                        phi_2598_ = _e589;
-                                        if _e589 {
-                                            break;
-                                        }
-                                        local_3 = array<i32, 3>(0i, 0i, 0i);
-                                        local_2 = array<i32, 3>(0i, 0i, 0i);
-                                        local_1 = array<i32, 3>(0i, 0i, 0i);
-                                        local = array<i32, 3>(0i, 0i, 0i);
-                                        phi_1005_ = type_8(0u, 3u);
-                                        loop {
-                                            let _e591 = phi_1005_;
-                                            if (_e591.member < _e591.member_1) {
-                                                phi_1006_ = type_8((_e591.member + 1u), _e591.member_1);
-                                                phi_1029_ = type_8(1u, _e591.member);
-                                            } else {
-                                                phi_1006_ = _e591;
-                                                phi_1029_ = type_8(0u, type_8().member_1);
-                                            }
-                                            let _e604 = phi_1006_;
-                                            let _e606 = phi_1029_;
-                                            let _e610 = (bitcast<i32>(_e606.member) != 0i);
-                                            if _e610 {
-                                                let _e611 = (_e606.member_1 * 2u);
-                                                let _e613 = ((1u + _e611) % 7u);
-                                                if (_e613 < 7u) {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                let _e616 = local_21[_e613];
-                                                let _e618 = ((_e611 + 2u) % 7u);
-                                                if (_e618 < 7u) {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                let _e621 = local_21[_e618];
-                                                let _e622 = (_e606.member_1 < 3u);
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                let _e624 = local_11[_e606.member_1];
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                let _e626 = local_10[_e606.member_1];
-                                                let _e628 = bitcast<u32>((_e626 - _e624));
-                                                let _e634 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e628)), 32u, (_e628 == 0u)));
-                                                let _e639 = ((select(21u, _e634, (_e634 > 21u)) - 21u) & 31u);
-                                                let _e643 = (_e624 + bitcast<i32>(((_e616 & 2097151u) << bitcast<u32>(_e639))));
-                                                let _e648 = (_e626 - bitcast<i32>(((_e621 & 2097151u) << bitcast<u32>(_e639))));
-                                                let _e652 = (((_e616 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                                let _e656 = (((_e621 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e606.member_1] = select(_e624, _e643, _e652);
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e606.member_1] = select(_e643, _e624, _e652);
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e606.member_1] = select(_e626, _e648, _e656);
-                                                if _e622 {
-                                                } else {
-                                                    phi_2581_ = true;
-                                                    break;
-                                                }
-                                                local[_e606.member_1] = select(_e648, _e626, _e656);
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1005_ = _e604;
-                                                phi_2581_ = _e589;
-                                                break if !(_e610);
-                                            }
-                                        }
-                                        let _e667 = phi_2581_;
-                                        phi_2598_ = _e667;
-                                        if _e667 {
-                                            break;
-                                        }
-                                        let _e668 = local;
-                                        let _e669 = local_1;
-                                        let _e670 = local_2;
-                                        let _e671 = local_3;
-                                        if _e298 {
-                                            phi_1234_ = type_34(array<i32, 3>(_e671[0], _e671[1], _e671[2]), array<i32, 3>(_e670[0], _e670[1], _e670[2]));
+                                        let _e214 = phi_380_;
+                                        let _e219 = bitcast<u32>((_e130.member_1[1] - _e130.member[1]));
+                                        let _e225 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u)));
+                                        let _e228 = (select(21u, _e225, (_e225 > 21u)) - 21u);
+                                        let _e233 = (_e157.member[1][0] - _e130.member[1]);
+                                        let _e234 = (_e157.member[1][1] - _e130.member[1]);
+                                        let _e235 = (_e130.member_1[1] - _e157.member[1][2]);
+                                        let _e236 = (_e130.member_1[1] - _e157.member[1][3]);
+                                        let _e237 = (_e233 > _e234);
+                                        if (_e237 == _e164) {
+                                            let _e240 = (_e228 & 31u);
+                                            phi_417_ = ((select(_e234, _e233, _e237) >> bitcast<u32>(_e240)) << bitcast<u32>(_e240));
                                         } else {
-                                            phi_1234_ = type_34(array<i32, 3>(_e669[0], _e669[1], _e669[2]), array<i32, 3>(_e668[0], _e668[1], _e668[2]));
+                                            phi_417_ = 0i;
                                         }
-                                        let _e691 = phi_1234_;
-                                        local_11 = array<i32, 3>(_e691.member[0], _e691.member[1], _e691.member[2]);
-                                        local_10 = array<i32, 3>(_e691.member_1[0], _e691.member_1[1], _e691.member_1[2]);
-                                        phi_2600_ = _e667;
-                                        phi_1252_ = select(_e292.member_2, _e292.member_1, _e298);
+                                        let _e246 = phi_417_;
+                                        let _e248 = (_e235 > _e236);
+                                        if (_e248 == _e164) {
+                                            let _e251 = (_e228 & 31u);
+                                            phi_432_ = ((select(_e236, _e235, _e248) >> bitcast<u32>(_e251)) << bitcast<u32>(_e251));
+                                        } else {
+                                            phi_432_ = 0i;
+                                        }
+                                        let _e257 = phi_432_;
+                                        let _e262 = bitcast<u32>((_e130.member_1[2] - _e130.member[2]));
+                                        let _e268 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e262)), 32u, (_e262 == 0u)));
+                                        let _e271 = (select(21u, _e268, (_e268 > 21u)) - 21u);
+                                        let _e276 = (_e157.member[2][0] - _e130.member[2]);
+                                        let _e277 = (_e157.member[2][1] - _e130.member[2]);
+                                        let _e278 = (_e130.member_1[2] - _e157.member[2][2]);
+                                        let _e279 = (_e130.member_1[2] - _e157.member[2][3]);
+                                        let _e280 = (_e276 > _e277);
+                                        if (_e280 == _e164) {
+                                            let _e283 = (_e271 & 31u);
+                                            phi_469_ = ((select(_e277, _e276, _e280) >> bitcast<u32>(_e283)) << bitcast<u32>(_e283));
+                                        } else {
+                                            phi_469_ = 0i;
+                                        }
+                                        let _e289 = phi_469_;
+                                        let _e291 = (_e278 > _e279);
+                                        if (_e291 == _e164) {
+                                            let _e294 = (_e271 & 31u);
+                                            phi_484_ = ((select(_e279, _e278, _e291) >> bitcast<u32>(_e294)) << bitcast<u32>(_e294));
+                                        } else {
+                                            phi_484_ = 0i;
+                                        }
+                                        let _e300 = phi_484_;
+                                        phi_493_ = type_29(array<i32, 3>((_e130.member[0] + _e203), (_e130.member[1] + _e246), (_e130.member[2] + _e289)), array<i32, 3>((_e130.member_1[0] - _e214), (_e130.member_1[1] - _e257), (_e130.member_1[2] - _e300)));
+                                        phi_494_ = select(_e157.member_2, _e157.member_1, _e164);
                                     }
-                                    let _e704 = phi_2600_;
-                                    let _e706 = phi_1252_;
-                                    phi_2599_ = _e704;
-                                    phi_447_ = _e706;
-                                    phi_1254_ = select(true, false, _e286);
+                                    let _e307 = phi_493_;
+                                    let _e309 = phi_494_;
+                                    phi_266_ = _e307;
+                                    phi_268_ = _e309;
+                                    phi_496_ = select(true, false, _e151);
                                 } else {
-                                    phi_2599_ = _e263;
-                                    phi_447_ = u32();
-                                    phi_1254_ = false;
+                                    phi_266_ = type_29();
+                                    phi_268_ = u32();
+                                    phi_496_ = false;
                                 }
-                                let _e709 = phi_2599_;
-                                let _e711 = phi_447_;
-                                let _e713 = phi_1254_;
+                                let _e312 = phi_266_;
+                                let _e314 = phi_268_;
+                                let _e316 = phi_496_;
                                 continue;
                                 continuing {
-                                    phi_2559_ = _e709;
-                                    phi_443_ = _e280;
-                                    phi_446_ = _e711;
-                                    phi_2598_ = _e709;
-                                    break if !(_e713);
+                                    phi_262_ = _e145;
+                                    phi_265_ = _e312;
+                                    phi_267_ = _e314;
+                                    phi_1436_ = false;
+                                    break if !(_e316);
                                 }
                             }
-                            let _e716 = phi_2598_;
-                            if _e716 {
+                            let _e319 = phi_1436_;
+                            if _e319 {
                                 break;
                             }
-                            let _e717 = local_10;
-                            let _e718 = local_11;
-                            local_9 = _e718;
-                            local_8 = _e717;
-                            if _e108 {
+                            if _e85 {
                             } else {
                                 break;
                             }
-                            let _e722 = global_4.member[_e103].member_1;
-                            if (_e722 == 2147483648u) {
-                                phi_1305_ = type_27(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                            let _e321 = local;
+                            let _e324 = local_1;
+                            let _e336 = global_4.member[_e80].member[0u];
+                            let _e338 = bitcast<u32>((_e324.member_1[0] - _e321.member[0]));
+                            let _e344 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u)));
+                            let _e352 = (_e336[0] - _e321.member[0]);
+                            let _e353 = (_e336[1] - _e321.member[0]);
+                            let _e354 = (_e324.member_1[0] - _e336[2]);
+                            let _e355 = (_e324.member_1[0] - _e336[3]);
+                            let _e356 = (_e352 > _e353);
+                            let _e359 = ((select(21u, _e344, (_e344 > 21u)) - 21u) & 31u);
+                            let _e366 = (((bitcast<u32>(select(_e353, _e352, _e356)) >> bitcast<u32>(_e359)) & 2097151u) | (select(0u, 1u, _e356) << bitcast<u32>(21u)));
+                            let _e367 = (_e354 > _e355);
+                            let _e376 = (((bitcast<u32>(select(_e355, _e354, _e367)) >> bitcast<u32>(_e359)) & 2097151u) | (select(0u, 1u, _e367) << bitcast<u32>(21u)));
+                            let _e381 = global_4.member[_e80].member[1u];
+                            let _e383 = bitcast<u32>((_e324.member_1[1] - _e321.member[1]));
+                            let _e389 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, (_e383 == 0u)));
+                            let _e397 = (_e381[0] - _e321.member[1]);
+                            let _e398 = (_e381[1] - _e321.member[1]);
+                            let _e399 = (_e324.member_1[1] - _e381[2]);
+                            let _e400 = (_e324.member_1[1] - _e381[3]);
+                            let _e401 = (_e397 > _e398);
+                            let _e404 = ((select(21u, _e389, (_e389 > 21u)) - 21u) & 31u);
+                            let _e411 = (((bitcast<u32>(select(_e398, _e397, _e401)) >> bitcast<u32>(_e404)) & 2097151u) | (select(0u, 1u, _e401) << bitcast<u32>(21u)));
+                            let _e412 = (_e399 > _e400);
+                            let _e421 = (((bitcast<u32>(select(_e400, _e399, _e412)) >> bitcast<u32>(_e404)) & 2097151u) | (select(0u, 1u, _e412) << bitcast<u32>(21u)));
+                            let _e426 = global_4.member[_e80].member[2u];
+                            let _e428 = bitcast<u32>((_e324.member_1[2] - _e321.member[2]));
+                            let _e434 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e428)), 32u, (_e428 == 0u)));
+                            let _e442 = (_e426[0] - _e321.member[2]);
+                            let _e443 = (_e426[1] - _e321.member[2]);
+                            let _e444 = (_e324.member_1[2] - _e426[2]);
+                            let _e445 = (_e324.member_1[2] - _e426[3]);
+                            let _e446 = (_e442 > _e443);
+                            let _e449 = ((select(21u, _e434, (_e434 > 21u)) - 21u) & 31u);
+                            let _e456 = (((bitcast<u32>(select(_e443, _e442, _e446)) >> bitcast<u32>(_e449)) & 2097151u) | (select(0u, 1u, _e446) << bitcast<u32>(21u)));
+                            let _e457 = (_e444 > _e445);
+                            let _e466 = (((bitcast<u32>(select(_e445, _e444, _e457)) >> bitcast<u32>(_e449)) & 2097151u) | (select(0u, 1u, _e457) << bitcast<u32>(21u)));
+                            let _e471 = (_e321.member[0] + bitcast<i32>(((_e366 & 2097151u) << bitcast<u32>(_e359))));
+                            let _e476 = (_e324.member_1[0] - bitcast<i32>(((_e376 & 2097151u) << bitcast<u32>(_e359))));
+                            let _e480 = (((_e366 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            let _e484 = (((_e376 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            let _e493 = (_e321.member[1] + bitcast<i32>(((_e411 & 2097151u) << bitcast<u32>(_e404))));
+                            let _e498 = (_e324.member_1[1] - bitcast<i32>(((_e421 & 2097151u) << bitcast<u32>(_e404))));
+                            let _e502 = (((_e411 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            let _e506 = (((_e421 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            let _e515 = (_e321.member[2] + bitcast<i32>(((_e456 & 2097151u) << bitcast<u32>(_e449))));
+                            let _e520 = (_e324.member_1[2] - bitcast<i32>(((_e466 & 2097151u) << bitcast<u32>(_e449))));
+                            let _e524 = (((_e456 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            let _e528 = (((_e466 >> bitcast<u32>(21u)) & 1u) == 1u);
+                            if _e86 {
                             } else {
-                                let _e728 = global_4.member[_e103].member[0u];
-                                let _e733 = global_4.member[_e103].member[1u];
-                                let _e738 = global_4.member[_e103].member[2u];
-                                phi_1305_ = type_27(vec3<f32>(_e728[0], _e733[0], _e738[0]), vec3<f32>(_e728[2], _e733[2], _e738[2]));
+                                break;
                             }
-                            let _e749 = phi_1305_;
-                            let _e753 = global_4.member[_e103].member_2;
-                            if (_e753 == 2147483648u) {
-                                phi_1327_ = _e749;
+                            global_8.member[_e80] = array<u32, 7>(0u, _e366, _e376, _e411, _e421, _e456, _e466);
+                            if _e87 {
                             } else {
-                                let _e759 = global_4.member[_e103].member[0u];
-                                let _e764 = global_4.member[_e103].member[1u];
-                                let _e769 = global_4.member[_e103].member[2u];
-                                phi_1327_ = type_27(vec3<f32>(_e759[1], _e764[1], _e769[1]), vec3<f32>(_e759[3], _e764[3], _e769[3]));
+                                break;
                             }
-                            let _e780 = phi_1327_;
-                            let _e793 = (_e749.member.x * _e187);
-                            let _e800 = select(0i, select(select(i32(_e793), i32(-2147483648), (_e793 < -2147483600f)), 2147483647i, (_e793 > 2147483500f)), (_e793 == _e793));
-                            let _e805 = (_e749.member.y * _e187);
-                            let _e812 = select(0i, select(select(i32(_e805), i32(-2147483648), (_e805 < -2147483600f)), 2147483647i, (_e805 > 2147483500f)), (_e805 == _e805));
-                            let _e817 = (_e749.member.z * _e187);
-                            let _e824 = select(0i, select(select(i32(_e817), i32(-2147483648), (_e817 < -2147483600f)), 2147483647i, (_e817 > 2147483500f)), (_e817 == _e817));
-                            let _e829 = (_e749.member_1.x * _e187);
-                            let _e836 = select(0i, select(select(i32(_e829), i32(-2147483648), (_e829 < -2147483600f)), 2147483647i, (_e829 > 2147483500f)), (_e829 == _e829));
-                            let _e841 = (_e749.member_1.y * _e187);
-                            let _e848 = select(0i, select(select(i32(_e841), i32(-2147483648), (_e841 < -2147483600f)), 2147483647i, (_e841 > 2147483500f)), (_e841 == _e841));
-                            let _e853 = (_e749.member_1.z * _e187);
-                            let _e860 = select(0i, select(select(i32(_e853), i32(-2147483648), (_e853 < -2147483600f)), 2147483647i, (_e853 > 2147483500f)), (_e853 == _e853));
-                            local_19 = array<i32, 3>((_e800 - select(0i, 1i, (f32(_e800) > _e793))), (_e812 - select(0i, 1i, (f32(_e812) > _e805))), (_e824 - select(0i, 1i, (f32(_e824) > _e817))));
-                            local_18 = array<i32, 3>((_e836 + select(0i, 1i, (f32(_e836) < _e829))), (_e848 + select(0i, 1i, (f32(_e848) < _e841))), (_e860 + select(0i, 1i, (f32(_e860) < _e853))));
-                            let _e879 = (_e780.member.x * _e187);
-                            let _e886 = select(0i, select(select(i32(_e879), i32(-2147483648), (_e879 < -2147483600f)), 2147483647i, (_e879 > 2147483500f)), (_e879 == _e879));
-                            let _e891 = (_e780.member.y * _e187);
-                            let _e898 = select(0i, select(select(i32(_e891), i32(-2147483648), (_e891 < -2147483600f)), 2147483647i, (_e891 > 2147483500f)), (_e891 == _e891));
-                            let _e903 = (_e780.member.z * _e187);
-                            let _e910 = select(0i, select(select(i32(_e903), i32(-2147483648), (_e903 < -2147483600f)), 2147483647i, (_e903 > 2147483500f)), (_e903 == _e903));
-                            let _e915 = (_e780.member_1.x * _e187);
-                            let _e922 = select(0i, select(select(i32(_e915), i32(-2147483648), (_e915 < -2147483600f)), 2147483647i, (_e915 > 2147483500f)), (_e915 == _e915));
-                            let _e927 = (_e780.member_1.y * _e187);
-                            let _e934 = select(0i, select(select(i32(_e927), i32(-2147483648), (_e927 < -2147483600f)), 2147483647i, (_e927 > 2147483500f)), (_e927 == _e927));
-                            let _e939 = (_e780.member_1.z * _e187);
-                            let _e946 = select(0i, select(select(i32(_e939), i32(-2147483648), (_e939 < -2147483600f)), 2147483647i, (_e939 > 2147483500f)), (_e939 == _e939));
-                            local_17 = array<i32, 3>((_e886 - select(0i, 1i, (f32(_e886) > _e879))), (_e898 - select(0i, 1i, (f32(_e898) > _e891))), (_e910 - select(0i, 1i, (f32(_e910) > _e903))));
-                            local_16 = array<i32, 3>((_e922 + select(0i, 1i, (f32(_e922) < _e915))), (_e934 + select(0i, 1i, (f32(_e934) < _e927))), (_e946 + select(0i, 1i, (f32(_e946) < _e939))));
-                            local_20 = array<u32, 7>(0u, 0u, 0u, 0u, 0u, 0u, 0u);
-                            phi_1599_ = type_8(0u, 3u);
-                            loop {
-                                let _e954 = phi_1599_;
-                                if (_e954.member < _e954.member_1) {
-                                    phi_1600_ = type_8((_e954.member + 1u), _e954.member_1);
-                                    phi_1623_ = type_8(1u, _e954.member);
+                            let _e538 = local_2;
+                            global_5.member[_e80] = _e538;
+                            if _e85 {
+                            } else {
+                                break;
+                            }
+                            let _e542 = global_4.member[_e80].member_1;
+                            if ((_e542 & 2147483648u) != 0u) {
+                                let _e552 = ((bitcast<u32>((select(_e324.member_1[0], _e476, _e484) - select(_e321.member[0], _e471, _e480))) | bitcast<u32>((select(_e324.member_1[1], _e498, _e506) - select(_e321.member[1], _e493, _e502)))) | bitcast<u32>((select(_e324.member_1[2], _e520, _e528) - select(_e321.member[2], _e515, _e524))));
+                                if (_e552 < 1024u) {
+                                    phi_1163_ = 0u;
                                 } else {
-                                    phi_1600_ = _e954;
-                                    phi_1623_ = type_8(0u, type_8().member_1);
+                                    phi_1163_ = select(2u, 1u, (_e552 < 2097152u));
                                 }
-                                let _e967 = phi_1600_;
-                                let _e969 = phi_1623_;
-                                let _e973 = (bitcast<i32>(_e969.member) != 0i);
-                                if _e973 {
-                                    let _e974 = (_e969.member_1 < 3u);
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e976 = local_9[_e969.member_1];
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e978 = local_8[_e969.member_1];
-                                    let _e980 = bitcast<u32>((_e978 - _e976));
-                                    let _e986 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e980)), 32u, (_e980 == 0u)));
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e991 = local_19[_e969.member_1];
-                                    let _e992 = (_e991 - _e976);
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e994 = local_17[_e969.member_1];
-                                    let _e995 = (_e994 - _e976);
-                                    let _e996 = (_e992 > _e995);
-                                    let _e999 = ((select(21u, _e986, (_e986 > 21u)) - 21u) & 31u);
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e1008 = local_18[_e969.member_1];
-                                    let _e1009 = (_e978 - _e1008);
-                                    if _e974 {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    let _e1011 = local_16[_e969.member_1];
-                                    let _e1012 = (_e978 - _e1011);
-                                    let _e1013 = (_e1009 > _e1012);
-                                    let _e1023 = (_e969.member_1 * 2u);
-                                    let _e1025 = ((1u + _e1023) % 7u);
-                                    if (_e1025 < 7u) {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    local_20[_e1025] = (((bitcast<u32>(select(_e995, _e992, _e996)) >> bitcast<u32>(_e999)) & 2097151u) | (select(0u, 1u, _e996) << bitcast<u32>(21u)));
-                                    let _e1029 = ((_e1023 + 2u) % 7u);
-                                    if (_e1029 < 7u) {
-                                    } else {
-                                        phi_2603_ = true;
-                                        break;
-                                    }
-                                    local_20[_e1029] = (((bitcast<u32>(select(_e1012, _e1009, _e1013)) >> bitcast<u32>(_e999)) & 2097151u) | (select(0u, 1u, _e1013) << bitcast<u32>(21u)));
-                                }
-                                continue;
-                                continuing {
-                                    phi_1599_ = _e967;
-                                    phi_2603_ = _e716;
-                                    break if !(_e973);
-                                }
-                            }
-                            let _e1034 = phi_2603_;
-                            if _e1034 {
-                                break;
-                            }
-                            local_7 = array<i32, 3>(0i, 0i, 0i);
-                            local_6 = array<i32, 3>(0i, 0i, 0i);
-                            local_5 = array<i32, 3>(0i, 0i, 0i);
-                            local_4 = array<i32, 3>(0i, 0i, 0i);
-                            phi_1797_ = type_8(0u, 3u);
-                            loop {
-                                let _e1036 = phi_1797_;
-                                if (_e1036.member < _e1036.member_1) {
-                                    phi_1798_ = type_8((_e1036.member + 1u), _e1036.member_1);
-                                    phi_1821_ = type_8(1u, _e1036.member);
-                                } else {
-                                    phi_1798_ = _e1036;
-                                    phi_1821_ = type_8(0u, type_8().member_1);
-                                }
-                                let _e1049 = phi_1798_;
-                                let _e1051 = phi_1821_;
-                                let _e1055 = (bitcast<i32>(_e1051.member) != 0i);
-                                if _e1055 {
-                                    let _e1056 = (_e1051.member_1 * 2u);
-                                    let _e1058 = ((1u + _e1056) % 7u);
-                                    if (_e1058 < 7u) {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    let _e1061 = local_20[_e1058];
-                                    let _e1063 = ((_e1056 + 2u) % 7u);
-                                    if (_e1063 < 7u) {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    let _e1066 = local_20[_e1063];
-                                    let _e1067 = (_e1051.member_1 < 3u);
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    let _e1069 = local_9[_e1051.member_1];
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    let _e1071 = local_8[_e1051.member_1];
-                                    let _e1073 = bitcast<u32>((_e1071 - _e1069));
-                                    let _e1079 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e1073)), 32u, (_e1073 == 0u)));
-                                    let _e1084 = ((select(21u, _e1079, (_e1079 > 21u)) - 21u) & 31u);
-                                    let _e1088 = (_e1069 + bitcast<i32>(((_e1061 & 2097151u) << bitcast<u32>(_e1084))));
-                                    let _e1093 = (_e1071 - bitcast<i32>(((_e1066 & 2097151u) << bitcast<u32>(_e1084))));
-                                    let _e1097 = (((_e1061 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    let _e1101 = (((_e1066 >> bitcast<u32>(21u)) & 1u) == 1u);
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    local_7[_e1051.member_1] = select(_e1069, _e1088, _e1097);
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    local_5[_e1051.member_1] = select(_e1088, _e1069, _e1097);
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    local_6[_e1051.member_1] = select(_e1071, _e1093, _e1101);
-                                    if _e1067 {
-                                    } else {
-                                        phi_2619_ = true;
-                                        break;
-                                    }
-                                    local_4[_e1051.member_1] = select(_e1093, _e1071, _e1101);
-                                }
-                                continue;
-                                continuing {
-                                    phi_1797_ = _e1049;
-                                    phi_2619_ = _e1034;
-                                    break if !(_e1055);
-                                }
-                            }
-                            let _e1112 = phi_2619_;
-                            if _e1112 {
-                                break;
-                            }
-                            let _e1113 = local_4;
-                            let _e1114 = local_5;
-                            let _e1115 = local_6;
-                            let _e1116 = local_7;
-                            let _e1117 = local_20;
-                            if _e109 {
-                            } else {
-                                break;
-                            }
-                            global_8.member[_e103] = array<u32, 7>(_e1117[0], _e1117[1], _e1117[2], _e1117[3], _e1117[4], _e1117[5], _e1117[6]);
-                            if _e110 {
-                            } else {
-                                break;
-                            }
-                            global_5.member[_e103] = type_34(array<i32, 3>(_e718[0], _e718[1], _e718[2]), array<i32, 3>(_e717[0], _e717[1], _e717[2]));
-                            if _e108 {
-                            } else {
-                                break;
-                            }
-                            if ((_e722 & 2147483648u) != 0u) {
-                                let _e1159 = ((bitcast<u32>((_e1115[0] - _e1116[0])) | bitcast<u32>((_e1115[1] - _e1116[1]))) | bitcast<u32>((_e1115[2] - _e1116[2])));
-                                if (_e1159 < 1024u) {
-                                    phi_2176_ = 0u;
-                                } else {
-                                    phi_2176_ = select(2u, 1u, (_e1159 < 2097152u));
-                                }
-                                let _e1164 = phi_2176_;
-                                switch bitcast<i32>(_e1164) {
+                                let _e557 = phi_1163_;
+                                switch bitcast<i32>(_e557) {
                                     case 0: {
-                                        phi_2182_ = 1u;
+                                        phi_1169_ = 1u;
                                         break;
                                     }
                                     case 1: {
-                                        phi_2182_ = 2u;
+                                        phi_1169_ = 2u;
                                         break;
                                     }
                                     case 2: {
-                                        phi_2182_ = 3u;
+                                        phi_1169_ = 3u;
                                         break;
                                     }
                                     default: {
-                                        phi_2182_ = u32();
+                                        phi_1169_ = u32();
                                         break;
                                     }
                                 }
-                                let _e1167 = phi_2182_;
-                                phi_2189_ = type_8(0u, ((_e722 >> bitcast<u32>(28u)) & 7u));
+                                let _e560 = phi_1169_;
+                                phi_1176_ = type_8(0u, ((_e542 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e1175 = phi_2189_;
-                                    if (_e1175.member < _e1175.member_1) {
-                                        phi_2190_ = type_8((_e1175.member + 1u), _e1175.member_1);
-                                        phi_2213_ = type_8(1u, _e1175.member);
+                                    let _e568 = phi_1176_;
+                                    if (_e568.member < _e568.member_1) {
+                                        phi_1177_ = type_8((_e568.member + 1u), _e568.member_1);
+                                        phi_1200_ = type_8(1u, _e568.member);
                                     } else {
-                                        phi_2190_ = _e1175;
-                                        phi_2213_ = type_8(0u, type_8().member_1);
+                                        phi_1177_ = _e568;
+                                        phi_1200_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1188 = phi_2190_;
-                                    let _e1190 = phi_2213_;
-                                    let _e1194 = (bitcast<i32>(_e1190.member) != 0i);
-                                    if _e1194 {
-                                        let _e1196 = ((_e722 & 268435455u) + _e1190.member_1);
-                                        let _e1197 = (_e1196 < _e82);
-                                        if _e1197 {
-                                            if _e1197 {
+                                    let _e581 = phi_1177_;
+                                    let _e583 = phi_1200_;
+                                    let _e587 = (bitcast<i32>(_e583.member) != 0i);
+                                    if _e587 {
+                                        let _e589 = ((_e542 & 268435455u) + _e583.member_1);
+                                        let _e590 = (_e589 < _e49);
+                                        if _e590 {
+                                            if _e590 {
                                             } else {
-                                                phi_2636_ = true;
+                                                phi_1469_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e1196] = ((3u * _e1167) + 1u);
+                                            global_6.member[_e589] = ((3u * _e560) + 1u);
                                         }
                                     }
                                     continue;
                                     continuing {
-                                        phi_2189_ = _e1188;
-                                        phi_2636_ = _e1112;
-                                        break if !(_e1194);
+                                        phi_1176_ = _e581;
+                                        phi_1469_ = _e319;
+                                        break if !(_e587);
                                     }
                                 }
-                                let _e1201 = phi_2636_;
-                                if _e1201 {
+                                let _e594 = phi_1469_;
+                                if _e594 {
                                     break;
                                 }
-                                phi_2651_ = _e1201;
+                                phi_1529_ = _e594;
                             } else {
-                                phi_2651_ = _e1112;
+                                phi_1529_ = _e319;
                             }
-                            let _e1203 = phi_2651_;
-                            if _e108 {
+                            let _e596 = phi_1529_;
+                            if _e85 {
                             } else {
                                 break;
                             }
-                            if ((_e753 & 2147483648u) != 0u) {
-                                let _e1213 = ((bitcast<u32>((_e1113[0] - _e1114[0])) | bitcast<u32>((_e1113[1] - _e1114[1]))) | bitcast<u32>((_e1113[2] - _e1114[2])));
-                                if (_e1213 < 1024u) {
-                                    phi_2309_ = 0u;
+                            let _e600 = global_4.member[_e80].member_2;
+                            if ((_e600 & 2147483648u) != 0u) {
+                                let _e610 = ((bitcast<u32>((select(_e476, _e324.member_1[0], _e484) - select(_e471, _e321.member[0], _e480))) | bitcast<u32>((select(_e498, _e324.member_1[1], _e506) - select(_e493, _e321.member[1], _e502)))) | bitcast<u32>((select(_e520, _e324.member_1[2], _e528) - select(_e515, _e321.member[2], _e524))));
+                                if (_e610 < 1024u) {
+                                    phi_1296_ = 0u;
                                 } else {
-                                    phi_2309_ = select(2u, 1u, (_e1213 < 2097152u));
+                                    phi_1296_ = select(2u, 1u, (_e610 < 2097152u));
                                 }
-                                let _e1218 = phi_2309_;
-                                switch bitcast<i32>(_e1218) {
+                                let _e615 = phi_1296_;
+                                switch bitcast<i32>(_e615) {
                                     case 0: {
-                                        phi_2315_ = 1u;
+                                        phi_1302_ = 1u;
                                         break;
                                     }
                                     case 1: {
-                                        phi_2315_ = 2u;
+                                        phi_1302_ = 2u;
                                         break;
                                     }
                                     case 2: {
-                                        phi_2315_ = 3u;
+                                        phi_1302_ = 3u;
                                         break;
                                     }
                                     default: {
-                                        phi_2315_ = u32();
+                                        phi_1302_ = u32();
                                         break;
                                     }
                                 }
-                                let _e1221 = phi_2315_;
-                                phi_2322_ = type_8(0u, ((_e753 >> bitcast<u32>(28u)) & 7u));
+                                let _e618 = phi_1302_;
+                                phi_1309_ = type_8(0u, ((_e600 >> bitcast<u32>(28u)) & 7u));
                                 loop {
-                                    let _e1229 = phi_2322_;
-                                    if (_e1229.member < _e1229.member_1) {
-                                        phi_2323_ = type_8((_e1229.member + 1u), _e1229.member_1);
-                                        phi_2346_ = type_8(1u, _e1229.member);
+                                    let _e626 = phi_1309_;
+                                    if (_e626.member < _e626.member_1) {
+                                        phi_1310_ = type_8((_e626.member + 1u), _e626.member_1);
+                                        phi_1333_ = type_8(1u, _e626.member);
                                     } else {
-                                        phi_2323_ = _e1229;
-                                        phi_2346_ = type_8(0u, type_8().member_1);
+                                        phi_1310_ = _e626;
+                                        phi_1333_ = type_8(0u, type_8().member_1);
                                     }
-                                    let _e1242 = phi_2323_;
-                                    let _e1244 = phi_2346_;
-                                    let _e1248 = (bitcast<i32>(_e1244.member) != 0i);
-                                    if _e1248 {
-                                        let _e1250 = ((_e753 & 268435455u) + _e1244.member_1);
-                                        let _e1251 = (_e1250 < _e82);
-                                        if _e1251 {
-                                            if _e1251 {
+                                    let _e639 = phi_1310_;
+                                    let _e641 = phi_1333_;
+                                    let _e645 = (bitcast<i32>(_e641.member) != 0i);
+                                    if _e645 {
+                                        let _e647 = ((_e600 & 268435455u) + _e641.member_1);
+                                        let _e648 = (_e647 < _e49);
+                                        if _e648 {
+                                            if _e648 {
                                             } else {
-                                                phi_2644_ = true;
+                                                phi_1522_ = true;
                                                 break;
                                             }
-                                            global_6.member[_e1250] = ((3u * _e1221) + 1u);
+                                            global_6.member[_e647] = ((3u * _e618) + 1u);
                                         }
                                     }
                                     continue;
                                     continuing {
-                                        phi_2322_ = _e1242;
-                                        phi_2644_ = _e1203;
-                                        break if !(_e1248);
+                                        phi_1309_ = _e639;
+                                        phi_1522_ = _e596;
+                                        break if !(_e645);
                                     }
                                 }
-                                let _e1255 = phi_2644_;
-                                if _e1255 {
+                                let _e652 = phi_1522_;
+                                if _e652 {
                                     break;
                                 }
                             }
-                            if (_e103 == 0u) {
-                                if (_e85 == 0u) {
+                            if (_e80 == 0u) {
+                                if (_e52 == 0u) {
                                 } else {
-                                    if (0u < _e85) {
+                                    if (0u < _e52) {
                                     } else {
                                         break;
                                     }
-                                    global_7.member[0u] = type_28(array<u32, 4>(bitcast<u32>(_e718[0]), bitcast<u32>(_e718[1]), bitcast<u32>(_e718[2]), bitcast<u32>(_e99)), array<u32, 4>(bitcast<u32>(_e717[0]), bitcast<u32>(_e717[1]), bitcast<u32>(_e717[2]), 0u));
+                                    global_7.member[0u] = type_23(array<u32, 4>(bitcast<u32>(_e321.member[0]), bitcast<u32>(_e321.member[1]), bitcast<u32>(_e321.member[2]), bitcast<u32>(_e76)), array<u32, 4>(bitcast<u32>(_e324.member_1[0]), bitcast<u32>(_e324.member_1[1]), bitcast<u32>(_e324.member_1[2]), 0u));
                                 }
                             }
                         }

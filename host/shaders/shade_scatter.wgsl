@@ -45,6 +45,11 @@ struct type_35 {
 }
 
 struct type_39 {
+    member: vec3<f32>,
+    member_1: vec3<f32>,
+}
+
+struct type_40 {
     member: array<f32, 3>,
     member_1: f32,
     member_2: f32,
@@ -52,11 +57,11 @@ struct type_39 {
     member_4: array<u32, 2>,
 }
 
-struct type_41 {
-    member: array<type_39>,
+struct type_42 {
+    member: array<type_40>,
 }
 
-struct type_44 {
+struct type_45 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: array<f32, 3>,
@@ -67,13 +72,8 @@ struct type_44 {
     member_7: u32,
 }
 
-struct type_46 {
-    member: array<type_44>,
-}
-
-struct type_48 {
-    member: vec3<f32>,
-    member_1: vec3<f32>,
+struct type_47 {
+    member: array<type_45>,
 }
 
 var<private> global: vec3<u32>;
@@ -88,9 +88,9 @@ var<storage> global_4: type_15;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
-var<storage> global_6: type_41;
+var<storage> global_6: type_42;
 @group(0) @binding(6) 
-var<storage> global_7: type_46;
+var<storage> global_7: type_47;
 @group(0) @binding(7) 
 var<storage> global_8: type_30;
 @group(0) @binding(8) 
@@ -143,8 +143,8 @@ fn function_() {
     var phi_1191_: f32;
     var phi_1192_: f32;
     var phi_1218_: f32;
-    var phi_1221_: type_48;
-    var phi_1223_: type_48;
+    var phi_1221_: type_39;
+    var phi_1223_: type_39;
     var phi_1224_: bool;
     var phi_1299_: f32;
     var phi_1300_: f32;
@@ -165,7 +165,7 @@ fn function_() {
     var phi_1373_: f32;
     var phi_1399_: f32;
     var phi_1442_: vec3<f32>;
-    var phi_1444_: type_48;
+    var phi_1444_: type_39;
     var phi_1464_: vec3<f32>;
     var phi_1482_: type_33;
     var phi_1637_: type_33;
@@ -647,15 +647,15 @@ fn function_() {
                                                     phi_1218_ = _e966;
                                                 }
                                                 let _e982 = phi_1218_;
-                                                phi_1221_ = type_48(vec3<f32>(_e910, _e946, _e982), _e840);
+                                                phi_1221_ = type_39(vec3<f32>(_e910, _e946, _e982), _e840);
                                             } else {
-                                                phi_1221_ = type_48();
+                                                phi_1221_ = type_39();
                                             }
                                             let _e986 = phi_1221_;
                                             phi_1223_ = _e986;
                                             phi_1224_ = select(true, false, _e849);
                                         } else {
-                                            phi_1223_ = type_48();
+                                            phi_1223_ = type_39();
                                             phi_1224_ = true;
                                         }
                                         let _e989 = phi_1223_;
@@ -791,7 +791,7 @@ fn function_() {
                                                 phi_1442_ = vec3<f32>((_e74.member.member_2[0] - (_e513 * _e1150)), (_e74.member.member_2[1] - (_e514 * _e1150)), (_e74.member.member_2[2] - (_e515 * _e1150)));
                                             }
                                             let _e1159 = phi_1442_;
-                                            phi_1444_ = type_48(vec3<f32>(_e1049, _e1085, _e1121), _e1159);
+                                            phi_1444_ = type_39(vec3<f32>(_e1049, _e1085, _e1121), _e1159);
                                         } else {
                                             phi_1444_ = _e989;
                                         }

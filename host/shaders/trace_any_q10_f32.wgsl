@@ -92,115 +92,115 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_362_: i32;
-    var phi_363_: i32;
-    var phi_373_: bool;
-    var phi_383_: u32;
-    var phi_384_: u32;
-    var phi_386_: bool;
-    var phi_391_: u32;
-    var phi_404_: i32;
-    var phi_424_: i32;
-    var phi_442_: f32;
-    var phi_448_: f32;
-    var phi_459_: f32;
-    var phi_465_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_508_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_531_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_731_: f32;
-    var phi_732_: f32;
-    var phi_3258_: bool;
-    var phi_821_: type_42;
-    var phi_824_: type_49;
-    var phi_826_: u32;
-    var phi_828_: bool;
-    var phi_830_: u32;
-    var phi_841_: bool;
-    var phi_927_: type_49;
-    var phi_928_: bool;
-    var phi_929_: u32;
-    var phi_2536_: u32;
-    var phi_2537_: u32;
-    var phi_2547_: u32;
-    var phi_2549_: u32;
-    var phi_2550_: bool;
-    var phi_2570_: u32;
-    var phi_2571_: u32;
-    var phi_2575_: type_50;
-    var phi_2919_: type_49;
-    var phi_2996_: type_49;
-    var phi_2997_: type_49;
-    var phi_2998_: u32;
-    var phi_3000_: type_49;
-    var phi_3001_: u32;
-    var phi_3002_: bool;
-    var phi_3011_: type_49;
-    var phi_3016_: type_49;
-    var phi_3017_: bool;
-    var phi_947_: type_42;
-    var phi_950_: type_7;
-    var phi_951_: type_7;
-    var phi_973_: type_7;
-    var phi_994_: u32;
-    var phi_1083_: array<array<f32, 3>, 3>;
-    var phi_1554_: vec3<f32>;
-    var phi_1555_: vec3<f32>;
-    var phi_1586_: bool;
-    var phi_1595_: vec3<f32>;
-    var phi_1635_: type_28;
+    var phi_358_: i32;
+    var phi_359_: i32;
+    var phi_369_: bool;
+    var phi_379_: u32;
+    var phi_380_: u32;
+    var phi_382_: bool;
+    var phi_387_: u32;
+    var phi_399_: i32;
+    var phi_419_: i32;
+    var phi_437_: f32;
+    var phi_443_: f32;
+    var phi_454_: f32;
+    var phi_460_: f32;
+    var phi_483_: f32;
+    var phi_494_: f32;
+    var phi_503_: f32;
+    var phi_509_: f32;
+    var phi_520_: f32;
+    var phi_526_: f32;
+    var phi_549_: f32;
+    var phi_560_: f32;
+    var phi_569_: f32;
+    var phi_575_: f32;
+    var phi_586_: f32;
+    var phi_592_: f32;
+    var phi_615_: f32;
+    var phi_626_: f32;
+    var phi_726_: f32;
+    var phi_727_: f32;
+    var phi_3111_: bool;
+    var phi_816_: type_42;
+    var phi_819_: type_49;
+    var phi_821_: u32;
+    var phi_823_: bool;
+    var phi_825_: u32;
+    var phi_836_: bool;
+    var phi_922_: type_49;
+    var phi_923_: bool;
+    var phi_924_: u32;
+    var phi_2389_: u32;
+    var phi_2390_: u32;
+    var phi_2400_: u32;
+    var phi_2402_: u32;
+    var phi_2403_: bool;
+    var phi_2423_: u32;
+    var phi_2424_: u32;
+    var phi_2428_: type_50;
+    var phi_2772_: type_49;
+    var phi_2849_: type_49;
+    var phi_2850_: type_49;
+    var phi_2851_: u32;
+    var phi_2853_: type_49;
+    var phi_2854_: u32;
+    var phi_2855_: bool;
+    var phi_2864_: type_49;
+    var phi_2869_: type_49;
+    var phi_2870_: bool;
+    var phi_942_: type_42;
+    var phi_945_: type_7;
+    var phi_946_: type_7;
+    var phi_968_: type_7;
+    var phi_989_: u32;
+    var phi_1078_: array<array<f32, 3>, 3>;
+    var phi_1549_: vec3<f32>;
+    var phi_1550_: vec3<f32>;
+    var phi_1581_: bool;
+    var phi_1590_: vec3<f32>;
+    var phi_1630_: type_28;
+    var phi_1632_: type_28;
+    var phi_1633_: bool;
     var phi_1637_: type_28;
-    var phi_1638_: bool;
-    var phi_1642_: type_28;
-    var phi_1643_: type_28;
+    var phi_1638_: type_28;
+    var phi_1639_: type_28;
+    var phi_1640_: bool;
     var phi_1644_: type_28;
     var phi_1645_: bool;
     var phi_1649_: type_28;
     var phi_1650_: bool;
     var phi_1654_: type_28;
-    var phi_1655_: bool;
-    var phi_1659_: type_28;
-    var phi_1670_: type_42;
-    var phi_1671_: type_42;
-    var phi_948_: type_42;
-    var phi_3252_: bool;
+    var phi_1665_: type_42;
+    var phi_1666_: type_42;
+    var phi_943_: type_42;
+    var phi_3105_: bool;
     var local_10: type_42;
-    var phi_3367_: bool;
-    var phi_3019_: type_42;
-    var phi_3020_: type_49;
-    var phi_3021_: bool;
-    var phi_3022_: u32;
-    var phi_3366_: bool;
-    var phi_3023_: type_42;
-    var phi_3024_: type_49;
-    var phi_3025_: u32;
-    var phi_3026_: bool;
-    var phi_3027_: u32;
-    var phi_3365_: bool;
-    var phi_3028_: type_42;
-    var phi_3029_: type_49;
-    var phi_3030_: u32;
-    var phi_3031_: bool;
-    var phi_3032_: u32;
-    var phi_3364_: bool;
-    var phi_822_: type_42;
-    var phi_825_: type_49;
-    var phi_827_: u32;
-    var phi_829_: bool;
-    var phi_831_: u32;
-    var phi_3033_: bool;
-    var phi_3363_: bool;
+    var phi_3220_: bool;
+    var phi_2872_: type_42;
+    var phi_2873_: type_49;
+    var phi_2874_: bool;
+    var phi_2875_: u32;
+    var phi_3219_: bool;
+    var phi_2876_: type_42;
+    var phi_2877_: type_49;
+    var phi_2878_: u32;
+    var phi_2879_: bool;
+    var phi_2880_: u32;
+    var phi_3218_: bool;
+    var phi_2881_: type_42;
+    var phi_2882_: type_49;
+    var phi_2883_: u32;
+    var phi_2884_: bool;
+    var phi_2885_: u32;
+    var phi_3217_: bool;
+    var phi_817_: type_42;
+    var phi_820_: type_49;
+    var phi_822_: u32;
+    var phi_824_: bool;
+    var phi_826_: u32;
+    var phi_2886_: bool;
+    var phi_3216_: bool;
     var local_11: type_42;
     var local_12: type_42;
 
@@ -254,199 +254,199 @@ fn function_() {
                     if _e216 {
                         let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
                         if (_e219 >= 8388608u) {
-                            phi_362_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
+                            phi_358_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_362_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
+                            phi_358_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
                         }
-                        let _e233 = phi_362_;
-                        phi_363_ = _e233;
+                        let _e233 = phi_358_;
+                        phi_359_ = _e233;
                     } else {
-                        phi_363_ = 0i;
+                        phi_359_ = 0i;
                     }
-                    let _e235 = phi_363_;
+                    let _e235 = phi_359_;
                     let _e236 = (_e152 == _e191);
                     if _e236 {
-                        phi_373_ = true;
+                        phi_369_ = true;
                     } else {
-                        phi_373_ = (_e159 == _e191);
+                        phi_369_ = (_e159 == _e191);
                     }
-                    let _e239 = phi_373_;
+                    let _e239 = phi_369_;
                     let _e240 = select(1u, 0u, _e236);
                     if _e239 {
                         let _e241 = (_e240 + 1u);
-                        phi_383_ = _e241;
-                        phi_384_ = _e241;
-                        phi_386_ = select(true, false, (_e241 == 2u));
+                        phi_379_ = _e241;
+                        phi_380_ = _e241;
+                        phi_382_ = select(true, false, (_e241 == 2u));
                     } else {
-                        phi_383_ = u32();
-                        phi_384_ = 0u;
-                        phi_386_ = true;
+                        phi_379_ = u32();
+                        phi_380_ = 0u;
+                        phi_382_ = true;
                     }
-                    let _e245 = phi_383_;
-                    let _e247 = phi_384_;
-                    let _e249 = phi_386_;
+                    let _e245 = phi_379_;
+                    let _e247 = phi_380_;
+                    let _e249 = phi_382_;
                     if _e249 {
-                        phi_391_ = (_e247 + 1u);
+                        phi_387_ = (_e247 + 1u);
                     } else {
-                        phi_391_ = 0u;
+                        phi_387_ = 0u;
                     }
-                    let _e253 = phi_391_;
+                    let _e253 = phi_387_;
                     let _e254 = select(_e245, _e247, _e249);
                     let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
                     if (_e122 < -126i) {
-                        phi_404_ = -126i;
+                        phi_399_ = -126i;
                     } else {
-                        phi_404_ = select(_e122, 127i, (_e122 > 127i));
+                        phi_399_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e260 = phi_404_;
+                    let _e260 = phi_399_;
                     let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
                     let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
                     let _e272 = -(_e235);
                     if (_e272 < -126i) {
-                        phi_424_ = -126i;
+                        phi_419_ = -126i;
                     } else {
-                        phi_424_ = select(_e272, 127i, (_e272 > 127i));
+                        phi_419_ = select(_e272, 127i, (_e272 > 127i));
                     }
-                    let _e277 = phi_424_;
+                    let _e277 = phi_419_;
                     let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
                     let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
                     let _e292 = global_5.member[_e140].member;
                     let _e293 = (_e254 == 0u);
                     if _e293 {
-                        phi_442_ = _e292[0];
+                        phi_437_ = _e292[0];
                     } else {
-                        phi_442_ = _e292[1];
+                        phi_437_ = _e292[1];
                     }
-                    let _e297 = phi_442_;
+                    let _e297 = phi_437_;
                     let _e298 = (_e254 == 2u);
                     if _e298 {
-                        phi_448_ = _e292[2];
+                        phi_443_ = _e292[2];
                     } else {
-                        phi_448_ = _e297;
+                        phi_443_ = _e297;
                     }
-                    let _e301 = phi_448_;
+                    let _e301 = phi_443_;
                     let _e303 = ((_e301 * _e265) * _e271);
                     let _e304 = global_5.member[_e140].member_2;
                     if _e293 {
-                        phi_459_ = _e304[0];
+                        phi_454_ = _e304[0];
                     } else {
-                        phi_459_ = _e304[1];
+                        phi_454_ = _e304[1];
                     }
-                    let _e308 = phi_459_;
+                    let _e308 = phi_454_;
                     if _e298 {
-                        phi_465_ = _e304[2];
+                        phi_460_ = _e304[2];
                     } else {
-                        phi_465_ = _e308;
+                        phi_460_ = _e308;
                     }
-                    let _e311 = phi_465_;
+                    let _e311 = phi_460_;
                     let _e313 = ((_e311 * _e282) * _e288);
                     let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e317 {
                         let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
-                        phi_488_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
+                        phi_483_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_488_ = 0f;
+                        phi_483_ = 0f;
                     }
-                    let _e325 = phi_488_;
+                    let _e325 = phi_483_;
                     let _e326 = (_e303 + _e325);
                     let _e327 = (_e303 - _e325);
                     let _e328 = select(_e313, 0f, _e317);
                     if _e317 {
-                        phi_499_ = 38685626000000000000000000f;
+                        phi_494_ = 38685626000000000000000000f;
                     } else {
-                        phi_499_ = (1f / _e313);
+                        phi_494_ = (1f / _e313);
                     }
-                    let _e331 = phi_499_;
+                    let _e331 = phi_494_;
                     let _e332 = (_e253 == 0u);
                     if _e332 {
-                        phi_508_ = _e292[0];
+                        phi_503_ = _e292[0];
                     } else {
-                        phi_508_ = _e292[1];
+                        phi_503_ = _e292[1];
                     }
-                    let _e336 = phi_508_;
+                    let _e336 = phi_503_;
                     let _e337 = (_e253 == 2u);
                     if _e337 {
-                        phi_514_ = _e292[2];
+                        phi_509_ = _e292[2];
                     } else {
-                        phi_514_ = _e336;
+                        phi_509_ = _e336;
                     }
-                    let _e340 = phi_514_;
+                    let _e340 = phi_509_;
                     let _e342 = ((_e340 * _e265) * _e271);
                     if _e332 {
-                        phi_525_ = _e304[0];
+                        phi_520_ = _e304[0];
                     } else {
-                        phi_525_ = _e304[1];
+                        phi_520_ = _e304[1];
                     }
-                    let _e346 = phi_525_;
+                    let _e346 = phi_520_;
                     if _e337 {
-                        phi_531_ = _e304[2];
+                        phi_526_ = _e304[2];
                     } else {
-                        phi_531_ = _e346;
+                        phi_526_ = _e346;
                     }
-                    let _e349 = phi_531_;
+                    let _e349 = phi_526_;
                     let _e351 = ((_e349 * _e282) * _e288);
                     let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e355 {
                         let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
-                        phi_554_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
+                        phi_549_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
                     } else {
-                        phi_554_ = 0f;
+                        phi_549_ = 0f;
                     }
-                    let _e363 = phi_554_;
+                    let _e363 = phi_549_;
                     let _e364 = (_e342 + _e363);
                     let _e365 = (_e342 - _e363);
                     let _e366 = select(_e351, 0f, _e355);
                     if _e355 {
-                        phi_565_ = 38685626000000000000000000f;
+                        phi_560_ = 38685626000000000000000000f;
                     } else {
-                        phi_565_ = (1f / _e351);
+                        phi_560_ = (1f / _e351);
                     }
-                    let _e369 = phi_565_;
+                    let _e369 = phi_560_;
                     let _e370 = (_e255 == 0u);
                     if _e370 {
-                        phi_574_ = _e292[0];
+                        phi_569_ = _e292[0];
                     } else {
-                        phi_574_ = _e292[1];
+                        phi_569_ = _e292[1];
                     }
-                    let _e374 = phi_574_;
+                    let _e374 = phi_569_;
                     let _e375 = (_e255 == 2u);
                     if _e375 {
-                        phi_580_ = _e292[2];
+                        phi_575_ = _e292[2];
                     } else {
-                        phi_580_ = _e374;
+                        phi_575_ = _e374;
                     }
-                    let _e378 = phi_580_;
+                    let _e378 = phi_575_;
                     let _e380 = ((_e378 * _e265) * _e271);
                     if _e370 {
-                        phi_591_ = _e304[0];
+                        phi_586_ = _e304[0];
                     } else {
-                        phi_591_ = _e304[1];
+                        phi_586_ = _e304[1];
                     }
-                    let _e384 = phi_591_;
+                    let _e384 = phi_586_;
                     if _e375 {
-                        phi_597_ = _e304[2];
+                        phi_592_ = _e304[2];
                     } else {
-                        phi_597_ = _e384;
+                        phi_592_ = _e384;
                     }
-                    let _e387 = phi_597_;
+                    let _e387 = phi_592_;
                     let _e389 = ((_e387 * _e282) * _e288);
                     let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e393 {
                         let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
-                        phi_620_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
+                        phi_615_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                     } else {
-                        phi_620_ = 0f;
+                        phi_615_ = 0f;
                     }
-                    let _e401 = phi_620_;
+                    let _e401 = phi_615_;
                     let _e402 = (_e380 + _e401);
                     let _e403 = (_e380 - _e401);
                     let _e404 = select(_e389, 0f, _e393);
                     if _e393 {
-                        phi_631_ = 38685626000000000000000000f;
+                        phi_626_ = 38685626000000000000000000f;
                     } else {
-                        phi_631_ = (1f / _e389);
+                        phi_626_ = (1f / _e389);
                     }
-                    let _e407 = phi_631_;
+                    let _e407 = phi_626_;
                     let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
                     let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
                     let _e415 = select(_e413, _e410, (_e410 > _e413));
@@ -460,14 +460,14 @@ fn function_() {
                         let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
                         let _e446 = (((_e210 * _e431) * _e431) * _e438);
                         let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        phi_731_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
-                        phi_732_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
+                        phi_726_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                        phi_727_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_731_ = 0f;
-                        phi_732_ = 1f;
+                        phi_726_ = 0f;
+                        phi_727_ = 1f;
                     }
-                    let _e452 = phi_731_;
-                    let _e454 = phi_732_;
+                    let _e452 = phi_726_;
+                    let _e454 = phi_727_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -512,772 +512,751 @@ fn function_() {
                         break;
                     }
                     let _e486 = local[_e470];
-                    phi_3258_ = false;
-                    phi_821_ = type_42(_e452, false);
-                    phi_824_ = type_49(type_32(vec4<f32>((f32(_e461) * _e134), (f32(_e467) * _e134), (f32(_e473) * _e134), 0f), vec4<f32>((f32(_e478) * _e134), (f32(_e482) * _e134), (f32(_e486) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
-                    phi_826_ = ((3u * _e84) + 1u);
-                    phi_828_ = (_e454 <= _e452);
-                    phi_830_ = 0u;
+                    phi_3111_ = false;
+                    phi_816_ = type_42(_e452, false);
+                    phi_819_ = type_49(type_32(vec4<f32>((f32(_e461) * _e134), (f32(_e467) * _e134), (f32(_e473) * _e134), 0f), vec4<f32>((f32(_e478) * _e134), (f32(_e482) * _e134), (f32(_e486) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
+                    phi_821_ = ((3u * _e84) + 1u);
+                    phi_823_ = (_e454 <= _e452);
+                    phi_825_ = 0u;
                     loop {
-                        let _e496 = phi_3258_;
-                        let _e498 = phi_821_;
-                        let _e500 = phi_824_;
-                        let _e502 = phi_826_;
-                        let _e504 = phi_828_;
-                        let _e506 = phi_830_;
+                        let _e496 = phi_3111_;
+                        let _e498 = phi_816_;
+                        let _e500 = phi_819_;
+                        let _e502 = phi_821_;
+                        let _e504 = phi_823_;
+                        let _e506 = phi_825_;
                         local_11 = _e498;
                         if _e504 {
-                            phi_841_ = true;
+                            phi_836_ = true;
                         } else {
-                            phi_841_ = (_e506 > 0u);
+                            phi_836_ = (_e506 > 0u);
                         }
-                        let _e509 = phi_841_;
+                        let _e509 = phi_836_;
                         if _e509 {
                             let _e510 = (_e502 > 0u);
                             if _e510 {
                                 if _e504 {
-                                    phi_927_ = _e500;
-                                    phi_928_ = _e504;
-                                    phi_929_ = _e506;
+                                    phi_922_ = _e500;
+                                    phi_923_ = _e504;
+                                    phi_924_ = _e506;
                                 } else {
                                     let _e511 = (_e506 - 1u);
                                     let _e512 = (_e511 % 128u);
                                     let _e513 = (_e512 < 128u);
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e515 = local_7[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e517 = local_6[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e519 = local_5[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e521 = local_4[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e523 = local_3[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e525 = local_2[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e530 = local_8[_e512];
                                     if _e513 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e533 = local_9[_e512];
-                                    phi_927_ = type_49(type_32(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
-                                    phi_928_ = (_e533 <= _e498.member);
-                                    phi_929_ = _e511;
+                                    phi_922_ = type_49(type_32(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
+                                    phi_923_ = (_e533 <= _e498.member);
+                                    phi_924_ = _e511;
                                 }
-                                let _e537 = phi_927_;
-                                let _e539 = phi_928_;
-                                let _e541 = phi_929_;
+                                let _e537 = phi_922_;
+                                let _e539 = phi_923_;
+                                let _e541 = phi_924_;
                                 if _e539 {
                                     if ((_e537.member_1 & 2147483648u) != 0u) {
-                                        phi_947_ = _e498;
-                                        phi_950_ = type_7(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_942_ = _e498;
+                                        phi_945_ = type_7(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1006 = phi_947_;
-                                            let _e1008 = phi_950_;
-                                            local_10 = _e1006;
-                                            local_12 = _e1006;
-                                            if (_e1008.member < _e1008.member_1) {
-                                                phi_951_ = type_7((_e1008.member + 1u), _e1008.member_1);
-                                                phi_973_ = type_7(1u, _e1008.member);
+                                            let _e985 = phi_942_;
+                                            let _e987 = phi_945_;
+                                            local_10 = _e985;
+                                            local_12 = _e985;
+                                            if (_e987.member < _e987.member_1) {
+                                                phi_946_ = type_7((_e987.member + 1u), _e987.member_1);
+                                                phi_968_ = type_7(1u, _e987.member);
                                             } else {
-                                                phi_951_ = _e1008;
-                                                phi_973_ = type_7(0u, type_7().member_1);
+                                                phi_946_ = _e987;
+                                                phi_968_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1021 = phi_951_;
-                                            let _e1023 = phi_973_;
-                                            let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
-                                            if _e1027 {
-                                                let _e1028 = ((_e537.member_1 & 268435455u) + _e1023.member_1);
-                                                let _e1029 = (_e1028 < _e86);
-                                                if _e1029 {
-                                                    if _e1029 {
+                                            let _e1000 = phi_946_;
+                                            let _e1002 = phi_968_;
+                                            let _e1006 = (bitcast<i32>(_e1002.member) != 0i);
+                                            if _e1006 {
+                                                let _e1007 = ((_e537.member_1 & 268435455u) + _e1002.member_1);
+                                                let _e1008 = (_e1007 < _e86);
+                                                if _e1008 {
+                                                    if _e1008 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1033 = global_2.member[_e1028].member_1;
-                                                    phi_994_ = _e1033;
+                                                    let _e1012 = global_2.member[_e1007].member_1;
+                                                    phi_989_ = _e1012;
                                                 } else {
-                                                    phi_994_ = 4294967295u;
+                                                    phi_989_ = 4294967295u;
                                                 }
-                                                let _e1035 = phi_994_;
-                                                if (_e1028 >= _e86) {
-                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1014 = phi_989_;
+                                                if (_e1007 >= _e86) {
+                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1029 {
+                                                    if _e1008 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
                                                     if (_e458 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1042 = global_2.member[_e1028].member[_e458];
+                                                    let _e1021 = global_2.member[_e1007].member[_e458];
                                                     if (_e464 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1048 = global_2.member[_e1028].member[_e464];
+                                                    let _e1027 = global_2.member[_e1007].member[_e464];
                                                     if (_e470 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1054 = global_2.member[_e1028].member[_e470];
-                                                    let _e1056 = (3u + _e458);
-                                                    if (_e1056 < 9u) {
+                                                    let _e1033 = global_2.member[_e1007].member[_e470];
+                                                    let _e1035 = (3u + _e458);
+                                                    if (_e1035 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1062 = global_2.member[_e1028].member[_e1056];
-                                                    let _e1063 = (3u + _e464);
-                                                    if (_e1063 < 9u) {
+                                                    let _e1041 = global_2.member[_e1007].member[_e1035];
+                                                    let _e1042 = (3u + _e464);
+                                                    if (_e1042 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1069 = global_2.member[_e1028].member[_e1063];
-                                                    let _e1070 = (3u + _e470);
-                                                    if (_e1070 < 9u) {
+                                                    let _e1048 = global_2.member[_e1007].member[_e1042];
+                                                    let _e1049 = (3u + _e470);
+                                                    if (_e1049 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1076 = global_2.member[_e1028].member[_e1070];
-                                                    let _e1078 = (6u + _e458);
-                                                    if (_e1078 < 9u) {
+                                                    let _e1055 = global_2.member[_e1007].member[_e1049];
+                                                    let _e1057 = (6u + _e458);
+                                                    if (_e1057 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1084 = global_2.member[_e1028].member[_e1078];
-                                                    let _e1085 = (6u + _e464);
-                                                    if (_e1085 < 9u) {
+                                                    let _e1063 = global_2.member[_e1007].member[_e1057];
+                                                    let _e1064 = (6u + _e464);
+                                                    if (_e1064 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1091 = global_2.member[_e1028].member[_e1085];
-                                                    let _e1092 = (6u + _e470);
-                                                    if (_e1092 < 9u) {
+                                                    let _e1070 = global_2.member[_e1007].member[_e1064];
+                                                    let _e1071 = (6u + _e470);
+                                                    if (_e1071 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1098 = global_2.member[_e1028].member[_e1092];
-                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1042, _e1048, _e1054), array<f32, 3>(_e1062, _e1069, _e1076), array<f32, 3>(_e1084, _e1091, _e1098));
+                                                    let _e1077 = global_2.member[_e1007].member[_e1071];
+                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1021, _e1027, _e1033), array<f32, 3>(_e1041, _e1048, _e1055), array<f32, 3>(_e1063, _e1070, _e1077));
                                                 }
-                                                let _e1102 = phi_1083_;
-                                                let _e1110 = (_e1102[0][2] - _e380);
-                                                let _e1113 = (((_e1102[0][0] - _e303) * _e404) - (_e1110 * _e328));
-                                                let _e1116 = (((_e1102[0][1] - _e342) * _e404) - (_e1110 * _e366));
-                                                let _e1123 = (_e1102[1][2] - _e380);
-                                                let _e1126 = (((_e1102[1][0] - _e303) * _e404) - (_e1123 * _e328));
-                                                let _e1129 = (((_e1102[1][1] - _e342) * _e404) - (_e1123 * _e366));
-                                                let _e1136 = (_e1102[2][2] - _e380);
-                                                let _e1139 = (((_e1102[2][0] - _e303) * _e404) - (_e1136 * _e328));
-                                                let _e1142 = (((_e1102[2][1] - _e342) * _e404) - (_e1136 * _e366));
-                                                let _e1143 = (_e1139 * _e1129);
-                                                let _e1144 = (_e1142 * _e1126);
-                                                let _e1145 = (_e1113 * _e1142);
-                                                let _e1146 = (_e1116 * _e1139);
-                                                let _e1147 = (_e1126 * _e1116);
-                                                let _e1148 = (_e1129 * _e1113);
-                                                let _e1153 = (((_e1143 >= _e1144) && (_e1145 >= _e1146)) && (_e1147 >= _e1148));
-                                                if (_e1153 || (((_e1143 <= _e1144) && (_e1145 <= _e1146)) && (_e1147 <= _e1148))) {
-                                                    let _e1160 = select(-1f, 1f, _e1153);
-                                                    let _e1162 = ((_e1143 - _e1144) * _e1160);
-                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
-                                                    let _e1166 = ((_e1145 - _e1146) * _e1160);
-                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
-                                                    let _e1170 = ((_e1147 - _e1148) * _e1160);
-                                                    let _e1172 = select(0f, _e1170, (_e1170 > 0f));
-                                                    let _e1174 = ((_e1164 + _e1168) + _e1172);
-                                                    if (_e1174 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1649_ = type_28();
-                                                        phi_1650_ = true;
+                                                let _e1081 = phi_1078_;
+                                                let _e1089 = (_e1081[0][2] - _e380);
+                                                let _e1092 = (((_e1081[0][0] - _e303) * _e404) - (_e1089 * _e328));
+                                                let _e1095 = (((_e1081[0][1] - _e342) * _e404) - (_e1089 * _e366));
+                                                let _e1102 = (_e1081[1][2] - _e380);
+                                                let _e1105 = (((_e1081[1][0] - _e303) * _e404) - (_e1102 * _e328));
+                                                let _e1108 = (((_e1081[1][1] - _e342) * _e404) - (_e1102 * _e366));
+                                                let _e1115 = (_e1081[2][2] - _e380);
+                                                let _e1118 = (((_e1081[2][0] - _e303) * _e404) - (_e1115 * _e328));
+                                                let _e1121 = (((_e1081[2][1] - _e342) * _e404) - (_e1115 * _e366));
+                                                let _e1122 = (_e1118 * _e1108);
+                                                let _e1123 = (_e1121 * _e1105);
+                                                let _e1124 = (_e1092 * _e1121);
+                                                let _e1125 = (_e1095 * _e1118);
+                                                let _e1126 = (_e1105 * _e1095);
+                                                let _e1127 = (_e1108 * _e1092);
+                                                let _e1132 = (((_e1122 >= _e1123) && (_e1124 >= _e1125)) && (_e1126 >= _e1127));
+                                                if (_e1132 || (((_e1122 <= _e1123) && (_e1124 <= _e1125)) && (_e1126 <= _e1127))) {
+                                                    let _e1139 = select(-1f, 1f, _e1132);
+                                                    let _e1141 = ((_e1122 - _e1123) * _e1139);
+                                                    let _e1143 = select(0f, _e1141, (_e1141 > 0f));
+                                                    let _e1145 = ((_e1124 - _e1125) * _e1139);
+                                                    let _e1147 = select(0f, _e1145, (_e1145 > 0f));
+                                                    let _e1149 = ((_e1126 - _e1127) * _e1139);
+                                                    let _e1151 = select(0f, _e1149, (_e1149 > 0f));
+                                                    let _e1153 = ((_e1143 + _e1147) + _e1151);
+                                                    if (_e1153 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1644_ = type_28();
+                                                        phi_1645_ = true;
                                                     } else {
-                                                        let _e1177 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] < _e1102[1][0]));
-                                                        let _e1181 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] > _e1102[1][0]));
-                                                        let _e1185 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] < _e1102[1][1]));
-                                                        let _e1189 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] > _e1102[1][1]));
-                                                        let _e1193 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] < _e1102[1][2]));
-                                                        let _e1197 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] > _e1102[1][2]));
-                                                        let _e1202 = ((select(_e1102[2][0], _e1177, (_e1177 < _e1102[2][0])) - _e326) * _e331);
-                                                        let _e1203 = ((select(_e1102[2][0], _e1181, (_e1181 > _e1102[2][0])) - _e327) * _e331);
-                                                        let _e1206 = ((select(_e1102[2][1], _e1185, (_e1185 < _e1102[2][1])) - _e364) * _e369);
-                                                        let _e1207 = ((select(_e1102[2][1], _e1189, (_e1189 > _e1102[2][1])) - _e365) * _e369);
-                                                        let _e1210 = ((select(_e1102[2][2], _e1193, (_e1193 < _e1102[2][2])) - _e402) * _e407);
-                                                        let _e1211 = ((select(_e1102[2][2], _e1197, (_e1197 > _e1102[2][2])) - _e403) * _e407);
-                                                        let _e1213 = select(_e1211, _e1210, (_e1210 < _e1211));
-                                                        let _e1215 = select(_e1211, _e1210, (_e1210 > _e1211));
-                                                        let _e1217 = select(_e1203, _e1202, (_e1202 < _e1203));
-                                                        let _e1219 = select(_e1207, _e1206, (_e1206 < _e1207));
-                                                        let _e1221 = select(_e1219, _e1217, (_e1217 > _e1219));
-                                                        let _e1223 = select(_e1213, _e1221, (_e1221 > _e1213));
-                                                        let _e1225 = select(_e1203, _e1202, (_e1202 > _e1203));
-                                                        let _e1227 = select(_e1207, _e1206, (_e1206 > _e1207));
-                                                        let _e1229 = select(_e1227, _e1225, (_e1225 < _e1227));
-                                                        let _e1231 = select(_e1215, _e1229, (_e1229 < _e1215));
-                                                        let _e1232 = -(_e1213);
-                                                        let _e1238 = select(_e454, _e1223, (_e1223 > _e454));
-                                                        if (_e1238 > (_e1231 + (select(_e1232, _e1215, (_e1215 > _e1232)) * 0.0000019073523f))) {
-                                                            phi_1644_ = type_28();
-                                                            phi_1645_ = true;
+                                                        let _e1156 = select(_e1081[1][0], _e1081[0][0], (_e1081[0][0] < _e1081[1][0]));
+                                                        let _e1160 = select(_e1081[1][0], _e1081[0][0], (_e1081[0][0] > _e1081[1][0]));
+                                                        let _e1164 = select(_e1081[1][1], _e1081[0][1], (_e1081[0][1] < _e1081[1][1]));
+                                                        let _e1168 = select(_e1081[1][1], _e1081[0][1], (_e1081[0][1] > _e1081[1][1]));
+                                                        let _e1172 = select(_e1081[1][2], _e1081[0][2], (_e1081[0][2] < _e1081[1][2]));
+                                                        let _e1176 = select(_e1081[1][2], _e1081[0][2], (_e1081[0][2] > _e1081[1][2]));
+                                                        let _e1181 = ((select(_e1081[2][0], _e1156, (_e1156 < _e1081[2][0])) - _e326) * _e331);
+                                                        let _e1182 = ((select(_e1081[2][0], _e1160, (_e1160 > _e1081[2][0])) - _e327) * _e331);
+                                                        let _e1185 = ((select(_e1081[2][1], _e1164, (_e1164 < _e1081[2][1])) - _e364) * _e369);
+                                                        let _e1186 = ((select(_e1081[2][1], _e1168, (_e1168 > _e1081[2][1])) - _e365) * _e369);
+                                                        let _e1189 = ((select(_e1081[2][2], _e1172, (_e1172 < _e1081[2][2])) - _e402) * _e407);
+                                                        let _e1190 = ((select(_e1081[2][2], _e1176, (_e1176 > _e1081[2][2])) - _e403) * _e407);
+                                                        let _e1192 = select(_e1190, _e1189, (_e1189 < _e1190));
+                                                        let _e1194 = select(_e1190, _e1189, (_e1189 > _e1190));
+                                                        let _e1196 = select(_e1182, _e1181, (_e1181 < _e1182));
+                                                        let _e1198 = select(_e1186, _e1185, (_e1185 < _e1186));
+                                                        let _e1200 = select(_e1198, _e1196, (_e1196 > _e1198));
+                                                        let _e1202 = select(_e1192, _e1200, (_e1200 > _e1192));
+                                                        let _e1204 = select(_e1182, _e1181, (_e1181 > _e1182));
+                                                        let _e1206 = select(_e1186, _e1185, (_e1185 > _e1186));
+                                                        let _e1208 = select(_e1206, _e1204, (_e1204 < _e1206));
+                                                        let _e1210 = select(_e1194, _e1208, (_e1208 < _e1194));
+                                                        let _e1211 = -(_e1192);
+                                                        let _e1217 = select(_e454, _e1202, (_e1202 > _e454));
+                                                        if (_e1217 > (_e1210 + (select(_e1211, _e1194, (_e1194 > _e1211)) * 0.0000019073523f))) {
+                                                            phi_1639_ = type_28();
+                                                            phi_1640_ = true;
                                                         } else {
-                                                            let _e1240 = (_e1238 > _e1006.member);
-                                                            if _e1240 {
-                                                                phi_1643_ = type_28();
+                                                            let _e1219 = (_e1217 > _e985.member);
+                                                            if _e1219 {
+                                                                phi_1638_ = type_28();
                                                             } else {
-                                                                let _e1244 = (_e1102[1][0] - _e1102[0][0]);
-                                                                let _e1245 = (_e1102[1][1] - _e1102[0][1]);
-                                                                let _e1246 = (_e1102[1][2] - _e1102[0][2]);
-                                                                let _e1247 = vec3<f32>(_e1244, _e1245, _e1246);
-                                                                let _e1248 = (_e1102[2][0] - _e1102[1][0]);
-                                                                let _e1249 = (_e1102[2][1] - _e1102[1][1]);
-                                                                let _e1250 = (_e1102[2][2] - _e1102[1][2]);
-                                                                let _e1251 = vec3<f32>(_e1248, _e1249, _e1250);
-                                                                let _e1252 = (_e1102[0][0] - _e1102[2][0]);
-                                                                let _e1253 = (_e1102[0][1] - _e1102[2][1]);
-                                                                let _e1254 = (_e1102[0][2] - _e1102[2][2]);
-                                                                let _e1255 = vec3<f32>(_e1252, _e1253, _e1254);
-                                                                let _e1258 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                let _e1261 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
-                                                                let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                let _e1266 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
+                                                                let _e1223 = (_e1081[1][0] - _e1081[0][0]);
+                                                                let _e1224 = (_e1081[1][1] - _e1081[0][1]);
+                                                                let _e1225 = (_e1081[1][2] - _e1081[0][2]);
+                                                                let _e1226 = vec3<f32>(_e1223, _e1224, _e1225);
+                                                                let _e1227 = (_e1081[2][0] - _e1081[1][0]);
+                                                                let _e1228 = (_e1081[2][1] - _e1081[1][1]);
+                                                                let _e1229 = (_e1081[2][2] - _e1081[1][2]);
+                                                                let _e1230 = vec3<f32>(_e1227, _e1228, _e1229);
+                                                                let _e1231 = (_e1081[0][0] - _e1081[2][0]);
+                                                                let _e1232 = (_e1081[0][1] - _e1081[2][1]);
+                                                                let _e1233 = (_e1081[0][2] - _e1081[2][2]);
+                                                                let _e1234 = vec3<f32>(_e1231, _e1232, _e1233);
+                                                                let _e1237 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
+                                                                let _e1240 = bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u));
+                                                                let _e1242 = select(_e1240, _e1237, (_e1237 > _e1240));
+                                                                let _e1245 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
+                                                                let _e1247 = select(_e1245, _e1242, (_e1242 > _e1245));
+                                                                let _e1250 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
+                                                                let _e1253 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
+                                                                let _e1255 = select(_e1253, _e1250, (_e1250 > _e1253));
+                                                                let _e1258 = bitcast<f32>((bitcast<u32>(_e1229) & 2147483647u));
+                                                                let _e1260 = select(_e1258, _e1255, (_e1255 > _e1258));
+                                                                let _e1263 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
+                                                                let _e1266 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
                                                                 let _e1268 = select(_e1266, _e1263, (_e1263 > _e1266));
-                                                                let _e1271 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
-                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
-                                                                let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                let _e1279 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                let _e1281 = select(_e1279, _e1276, (_e1276 > _e1279));
-                                                                let _e1284 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                let _e1287 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                let _e1289 = select(_e1287, _e1284, (_e1284 > _e1287));
-                                                                let _e1292 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                let _e1294 = select(_e1292, _e1289, (_e1289 > _e1292));
-                                                                let _e1296 = select(_e1281, _e1268, (_e1268 > _e1281));
-                                                                let _e1298 = select(_e1294, _e1296, (_e1296 > _e1294));
-                                                                if (_e1268 == _e1298) {
-                                                                    phi_1554_ = _e1251;
-                                                                    phi_1555_ = _e1255;
+                                                                let _e1271 = bitcast<f32>((bitcast<u32>(_e1233) & 2147483647u));
+                                                                let _e1273 = select(_e1271, _e1268, (_e1268 > _e1271));
+                                                                let _e1275 = select(_e1260, _e1247, (_e1247 > _e1260));
+                                                                let _e1277 = select(_e1273, _e1275, (_e1275 > _e1273));
+                                                                if (_e1247 == _e1277) {
+                                                                    phi_1549_ = _e1230;
+                                                                    phi_1550_ = _e1234;
                                                                 } else {
-                                                                    let _e1301 = vec3((_e1281 == _e1298));
-                                                                    phi_1554_ = select(_e1247, _e1255, _e1301);
-                                                                    phi_1555_ = select(_e1251, _e1247, _e1301);
+                                                                    let _e1280 = vec3((_e1260 == _e1277));
+                                                                    phi_1549_ = select(_e1226, _e1234, _e1280);
+                                                                    phi_1550_ = select(_e1230, _e1226, _e1280);
                                                                 }
-                                                                let _e1305 = phi_1554_;
-                                                                let _e1307 = phi_1555_;
-                                                                let _e1314 = ((_e1305.y * _e1307.z) - (_e1307.y * _e1305.z));
-                                                                let _e1319 = ((_e1305.z * _e1307.x) - (_e1307.z * _e1305.x));
-                                                                let _e1322 = ((_e1305.x * _e1307.y) - (_e1307.x * _e1305.y));
-                                                                if (_e1164 >= _e1168) {
-                                                                    phi_1586_ = select(true, false, (_e1164 >= _e1172));
+                                                                let _e1284 = phi_1549_;
+                                                                let _e1286 = phi_1550_;
+                                                                let _e1293 = ((_e1284.y * _e1286.z) - (_e1286.y * _e1284.z));
+                                                                let _e1298 = ((_e1284.z * _e1286.x) - (_e1286.z * _e1284.x));
+                                                                let _e1301 = ((_e1284.x * _e1286.y) - (_e1286.x * _e1284.y));
+                                                                if (_e1143 >= _e1147) {
+                                                                    phi_1581_ = select(true, false, (_e1143 >= _e1151));
                                                                 } else {
-                                                                    phi_1586_ = true;
+                                                                    phi_1581_ = true;
                                                                 }
-                                                                let _e1327 = phi_1586_;
-                                                                if _e1327 {
-                                                                    phi_1595_ = select(vec3<f32>(_e1102[2][0], _e1102[2][1], _e1102[2][2]), vec3<f32>(_e1102[1][0], _e1102[1][1], _e1102[1][2]), vec3((_e1168 >= _e1172)));
+                                                                let _e1306 = phi_1581_;
+                                                                if _e1306 {
+                                                                    phi_1590_ = select(vec3<f32>(_e1081[2][0], _e1081[2][1], _e1081[2][2]), vec3<f32>(_e1081[1][0], _e1081[1][1], _e1081[1][2]), vec3((_e1147 >= _e1151)));
                                                                 } else {
-                                                                    phi_1595_ = vec3<f32>(_e1102[0][0], _e1102[0][1], _e1102[0][2]);
+                                                                    phi_1590_ = vec3<f32>(_e1081[0][0], _e1081[0][1], _e1081[0][2]);
                                                                 }
-                                                                let _e1332 = phi_1595_;
-                                                                let _e1349 = ((((_e1314 * (_e1332.x - _e303)) + (_e1319 * (_e1332.y - _e342))) + (_e1322 * (_e1332.z - _e380))) / (((_e1314 * _e328) + (_e1319 * _e366)) + (_e1322 * _e404)));
-                                                                let _e1351 = select(_e1231, _e1349, (_e1349 < _e1231));
-                                                                let _e1353 = select(_e1223, _e1351, (_e1351 > _e1223));
-                                                                if (_e1353 >= _e454) {
-                                                                    let _e1355 = (_e1353 <= _e1006.member);
-                                                                    if _e1355 {
-                                                                        let _e1356 = (1f / _e1174);
-                                                                        phi_1635_ = type_28(_e1353, (_e1168 * _e1356), (_e1172 * _e1356), _e1035);
+                                                                let _e1311 = phi_1590_;
+                                                                let _e1328 = ((((_e1293 * (_e1311.x - _e303)) + (_e1298 * (_e1311.y - _e342))) + (_e1301 * (_e1311.z - _e380))) / (((_e1293 * _e328) + (_e1298 * _e366)) + (_e1301 * _e404)));
+                                                                let _e1330 = select(_e1210, _e1328, (_e1328 < _e1210));
+                                                                let _e1332 = select(_e1202, _e1330, (_e1330 > _e1202));
+                                                                if (_e1332 >= _e454) {
+                                                                    let _e1334 = (_e1332 <= _e985.member);
+                                                                    if _e1334 {
+                                                                        let _e1335 = (1f / _e1153);
+                                                                        phi_1630_ = type_28(_e1332, (_e1147 * _e1335), (_e1151 * _e1335), _e1014);
                                                                     } else {
-                                                                        phi_1635_ = type_28();
+                                                                        phi_1630_ = type_28();
                                                                     }
-                                                                    let _e1361 = phi_1635_;
-                                                                    phi_1637_ = _e1361;
-                                                                    phi_1638_ = select(true, false, _e1355);
+                                                                    let _e1340 = phi_1630_;
+                                                                    phi_1632_ = _e1340;
+                                                                    phi_1633_ = select(true, false, _e1334);
                                                                 } else {
-                                                                    phi_1637_ = type_28();
-                                                                    phi_1638_ = true;
+                                                                    phi_1632_ = type_28();
+                                                                    phi_1633_ = true;
                                                                 }
-                                                                let _e1364 = phi_1637_;
-                                                                let _e1366 = phi_1638_;
-                                                                if _e1366 {
-                                                                    phi_1642_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1343 = phi_1632_;
+                                                                let _e1345 = phi_1633_;
+                                                                if _e1345 {
+                                                                    phi_1637_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1642_ = _e1364;
+                                                                    phi_1637_ = _e1343;
                                                                 }
-                                                                let _e1368 = phi_1642_;
-                                                                phi_1643_ = _e1368;
+                                                                let _e1347 = phi_1637_;
+                                                                phi_1638_ = _e1347;
                                                             }
-                                                            let _e1370 = phi_1643_;
-                                                            phi_1644_ = _e1370;
-                                                            phi_1645_ = _e1240;
+                                                            let _e1349 = phi_1638_;
+                                                            phi_1639_ = _e1349;
+                                                            phi_1640_ = _e1219;
                                                         }
-                                                        let _e1372 = phi_1644_;
-                                                        let _e1374 = phi_1645_;
-                                                        phi_1649_ = _e1372;
-                                                        phi_1650_ = _e1374;
+                                                        let _e1351 = phi_1639_;
+                                                        let _e1353 = phi_1640_;
+                                                        phi_1644_ = _e1351;
+                                                        phi_1645_ = _e1353;
                                                     }
-                                                    let _e1376 = phi_1649_;
-                                                    let _e1378 = phi_1650_;
-                                                    phi_1654_ = _e1376;
-                                                    phi_1655_ = _e1378;
+                                                    let _e1355 = phi_1644_;
+                                                    let _e1357 = phi_1645_;
+                                                    phi_1649_ = _e1355;
+                                                    phi_1650_ = _e1357;
                                                 } else {
-                                                    phi_1654_ = type_28();
-                                                    phi_1655_ = true;
+                                                    phi_1649_ = type_28();
+                                                    phi_1650_ = true;
                                                 }
-                                                let _e1380 = phi_1654_;
-                                                let _e1382 = phi_1655_;
-                                                if _e1382 {
-                                                    phi_1659_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1359 = phi_1649_;
+                                                let _e1361 = phi_1650_;
+                                                if _e1361 {
+                                                    phi_1654_ = type_28(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1659_ = _e1380;
+                                                    phi_1654_ = _e1359;
                                                 }
-                                                let _e1384 = phi_1659_;
-                                                if (_e1384.member_3 != 4294967295u) {
-                                                    if (_e1035 != 4294967295u) {
-                                                        phi_1670_ = type_42(_e1006.member, true);
+                                                let _e1363 = phi_1654_;
+                                                if (_e1363.member_3 != 4294967295u) {
+                                                    if (_e1014 != 4294967295u) {
+                                                        phi_1665_ = type_42(_e985.member, true);
                                                     } else {
-                                                        phi_1670_ = _e1006;
+                                                        phi_1665_ = _e985;
                                                     }
-                                                    let _e1392 = phi_1670_;
-                                                    phi_1671_ = _e1392;
+                                                    let _e1371 = phi_1665_;
+                                                    phi_1666_ = _e1371;
                                                 } else {
-                                                    phi_1671_ = _e1006;
+                                                    phi_1666_ = _e985;
                                                 }
-                                                let _e1394 = phi_1671_;
-                                                phi_948_ = _e1394;
+                                                let _e1373 = phi_1666_;
+                                                phi_943_ = _e1373;
                                             } else {
-                                                phi_948_ = type_42();
+                                                phi_943_ = type_42();
                                             }
-                                            let _e1396 = phi_948_;
+                                            let _e1375 = phi_943_;
                                             continue;
                                             continuing {
-                                                phi_947_ = _e1396;
-                                                phi_950_ = _e1021;
-                                                phi_3252_ = _e496;
-                                                break if !(_e1027);
+                                                phi_942_ = _e1375;
+                                                phi_945_ = _e1000;
+                                                phi_3105_ = _e496;
+                                                break if !(_e1006);
                                             }
                                         }
-                                        let _e1399 = phi_3252_;
-                                        phi_3363_ = _e1399;
-                                        if _e1399 {
+                                        let _e1378 = phi_3105_;
+                                        phi_3216_ = _e1378;
+                                        if _e1378 {
                                             break;
                                         }
-                                        let _e1401 = local_10;
-                                        phi_3367_ = _e1399;
-                                        let _e1548 = local_12;
-                                        phi_3019_ = _e1548;
-                                        phi_3020_ = _e537;
-                                        phi_3021_ = false;
-                                        phi_3022_ = select(_e541, 0u, _e1401.member_1);
+                                        let _e1380 = local_10;
+                                        phi_3220_ = _e1378;
+                                        let _e1527 = local_12;
+                                        phi_2872_ = _e1527;
+                                        phi_2873_ = _e537;
+                                        phi_2874_ = false;
+                                        phi_2875_ = select(_e541, 0u, _e1380.member_1);
                                     } else {
                                         if (_e537.member_1 >= _e84) {
-                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e537.member_1 < _e84) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
                                             let _e553 = ((1u + _e254) % 4u);
                                             if (_e553 < 4u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
                                             let _e558 = global_4.member[_e537.member_1][_e553];
-                                            let _e560 = ((1u + _e253) % 4u);
-                                            if (_e560 < 4u) {
+                                            let _e560 = (_e558 >> bitcast<u32>(11u));
+                                            let _e562 = ((1u + _e253) % 4u);
+                                            if (_e562 < 4u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e565 = global_4.member[_e537.member_1][_e560];
-                                            let _e567 = ((1u + _e255) % 4u);
-                                            if (_e567 < 4u) {
+                                            let _e567 = global_4.member[_e537.member_1][_e562];
+                                            let _e569 = (_e567 >> bitcast<u32>(11u));
+                                            let _e571 = ((1u + _e255) % 4u);
+                                            if (_e571 < 4u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e572 = global_4.member[_e537.member_1][_e567];
-                                            let _e574 = ((_e254 + 1u) % 4u);
-                                            if (_e574 < 4u) {
-                                            } else {
-                                                phi_3363_ = true;
-                                                break;
-                                            }
-                                            let _e579 = global_4.member[_e537.member_1][_e574];
-                                            let _e581 = (_e579 >> bitcast<u32>(11u));
-                                            let _e583 = ((_e253 + 1u) % 4u);
-                                            if (_e583 < 4u) {
-                                            } else {
-                                                phi_3363_ = true;
-                                                break;
-                                            }
-                                            let _e588 = global_4.member[_e537.member_1][_e583];
-                                            let _e590 = (_e588 >> bitcast<u32>(11u));
-                                            let _e592 = ((_e255 + 1u) % 4u);
-                                            if (_e592 < 4u) {
-                                            } else {
-                                                phi_3363_ = true;
-                                                break;
-                                            }
-                                            let _e597 = global_4.member[_e537.member_1][_e592];
-                                            let _e599 = (_e597 >> bitcast<u32>(11u));
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e624 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e626 = select(_e134, _e622, (_e622 > _e134));
-                                            let _e628 = select(_e134, _e623, (_e623 > _e134));
-                                            let _e630 = select(_e134, _e624, (_e624 > _e134));
-                                            let _e655 = bitcast<u32>((f32(bitcast<i32>((_e558 & 1023u))) * _e626));
-                                            let _e660 = (bitcast<i32>((_e558 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e663 = bitcast<f32>((_e655 & bitcast<u32>(_e660)));
-                                            let _e664 = bitcast<u32>((f32(bitcast<i32>((_e565 & 1023u))) * _e628));
-                                            let _e669 = (bitcast<i32>((_e565 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
-                                            let _e673 = bitcast<u32>((f32(bitcast<i32>((_e572 & 1023u))) * _e630));
-                                            let _e678 = (bitcast<i32>((_e572 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e576 = global_4.member[_e537.member_1][_e571];
+                                            let _e578 = (_e576 >> bitcast<u32>(11u));
+                                            let _e601 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e602 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e603 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e605 = select(_e134, _e601, (_e601 > _e134));
+                                            let _e607 = select(_e134, _e602, (_e602 > _e134));
+                                            let _e609 = select(_e134, _e603, (_e603 > _e134));
+                                            let _e634 = bitcast<u32>((f32(bitcast<i32>((_e558 & 1023u))) * _e605));
+                                            let _e639 = (bitcast<i32>((_e558 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e642 = bitcast<f32>((_e634 & bitcast<u32>(_e639)));
+                                            let _e643 = bitcast<u32>((f32(bitcast<i32>((_e567 & 1023u))) * _e607));
+                                            let _e648 = (bitcast<i32>((_e567 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e651 = bitcast<f32>((_e643 & bitcast<u32>(_e648)));
+                                            let _e652 = bitcast<u32>((f32(bitcast<i32>((_e576 & 1023u))) * _e609));
+                                            let _e657 = (bitcast<i32>((_e576 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e660 = bitcast<f32>((_e652 & bitcast<u32>(_e657)));
+                                            let _e664 = bitcast<f32>((_e634 & bitcast<u32>(~(_e639))));
+                                            let _e668 = bitcast<f32>((_e643 & bitcast<u32>(~(_e648))));
+                                            let _e672 = bitcast<f32>((_e652 & bitcast<u32>(~(_e657))));
+                                            let _e673 = bitcast<u32>((f32(bitcast<i32>((_e560 & 1023u))) * _e605));
+                                            let _e678 = (bitcast<i32>((_e560 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e681 = bitcast<f32>((_e673 & bitcast<u32>(_e678)));
-                                            let _e685 = bitcast<f32>((_e655 & bitcast<u32>(~(_e660))));
-                                            let _e689 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
-                                            let _e693 = bitcast<f32>((_e673 & bitcast<u32>(~(_e678))));
-                                            let _e694 = bitcast<u32>((f32(bitcast<i32>((_e581 & 1023u))) * _e626));
-                                            let _e699 = (bitcast<i32>((_e581 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e702 = bitcast<f32>((_e694 & bitcast<u32>(_e699)));
-                                            let _e703 = bitcast<u32>((f32(bitcast<i32>((_e590 & 1023u))) * _e628));
-                                            let _e708 = (bitcast<i32>((_e590 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
-                                            let _e712 = bitcast<u32>((f32(bitcast<i32>((_e599 & 1023u))) * _e630));
-                                            let _e717 = (bitcast<i32>((_e599 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e720 = bitcast<f32>((_e712 & bitcast<u32>(_e717)));
-                                            let _e724 = bitcast<f32>((_e694 & bitcast<u32>(~(_e699))));
-                                            let _e728 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
-                                            let _e732 = bitcast<f32>((_e712 & bitcast<u32>(~(_e717))));
-                                            let _e762 = global_4.member[_e537.member_1][0u];
-                                            let _e766 = global_4.member[_e537.member_1][1u];
-                                            let _e770 = global_4.member[_e537.member_1][2u];
-                                            let _e774 = global_4.member[_e537.member_1][3u];
-                                            let _e786 = (((_e766 >> bitcast<u32>(22i)) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e774 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e787 = (_e762 & 268435455u);
-                                            let _e788 = (_e786 & 268435455u);
-                                            let _e791 = ((_e762 >> bitcast<u32>(28u)) & 7u);
-                                            let _e799 = ((_e762 >> bitcast<u32>(31i)) | (((_e786 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e800 = (_e791 != 0u);
-                                            if (_e791 == 0u) {
-                                                phi_2537_ = _e787;
+                                            let _e682 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e607));
+                                            let _e687 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e690 = bitcast<f32>((_e682 & bitcast<u32>(_e687)));
+                                            let _e691 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e609));
+                                            let _e696 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e699 = bitcast<f32>((_e691 & bitcast<u32>(_e696)));
+                                            let _e703 = bitcast<f32>((_e673 & bitcast<u32>(~(_e678))));
+                                            let _e707 = bitcast<f32>((_e682 & bitcast<u32>(~(_e687))));
+                                            let _e711 = bitcast<f32>((_e691 & bitcast<u32>(~(_e696))));
+                                            let _e741 = global_4.member[_e537.member_1][0u];
+                                            let _e745 = global_4.member[_e537.member_1][1u];
+                                            let _e749 = global_4.member[_e537.member_1][2u];
+                                            let _e753 = global_4.member[_e537.member_1][3u];
+                                            let _e765 = (((_e745 >> bitcast<u32>(22i)) | ((_e749 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e753 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e766 = (_e741 & 268435455u);
+                                            let _e767 = (_e765 & 268435455u);
+                                            let _e770 = ((_e741 >> bitcast<u32>(28u)) & 7u);
+                                            let _e778 = ((_e741 >> bitcast<u32>(31i)) | (((_e765 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e779 = (_e770 != 0u);
+                                            if (_e770 == 0u) {
+                                                phi_2390_ = _e766;
                                             } else {
-                                                if (_e791 == 7u) {
-                                                    phi_2536_ = 2147483648u;
+                                                if (_e770 == 7u) {
+                                                    phi_2389_ = 2147483648u;
                                                 } else {
-                                                    phi_2536_ = ((2147483648u | (_e791 << bitcast<u32>(28u))) | (_e788 & 268435455u));
+                                                    phi_2389_ = ((2147483648u | (_e770 << bitcast<u32>(28u))) | (_e767 & 268435455u));
                                                 }
-                                                let _e809 = phi_2536_;
-                                                phi_2537_ = _e809;
+                                                let _e788 = phi_2389_;
+                                                phi_2390_ = _e788;
                                             }
-                                            let _e811 = phi_2537_;
-                                            if _e800 {
-                                                let _e812 = (_e791 != 7u);
-                                                if _e812 {
-                                                    phi_2547_ = (_e788 + _e791);
+                                            let _e790 = phi_2390_;
+                                            if _e779 {
+                                                let _e791 = (_e770 != 7u);
+                                                if _e791 {
+                                                    phi_2400_ = (_e767 + _e770);
                                                 } else {
-                                                    phi_2547_ = u32();
+                                                    phi_2400_ = u32();
                                                 }
-                                                let _e815 = phi_2547_;
-                                                phi_2549_ = _e815;
-                                                phi_2550_ = select(true, false, _e812);
+                                                let _e794 = phi_2400_;
+                                                phi_2402_ = _e794;
+                                                phi_2403_ = select(true, false, _e791);
                                             } else {
-                                                phi_2549_ = u32();
-                                                phi_2550_ = true;
+                                                phi_2402_ = u32();
+                                                phi_2403_ = true;
                                             }
-                                            let _e818 = phi_2549_;
-                                            let _e820 = phi_2550_;
-                                            if (_e799 == 0u) {
-                                                phi_2571_ = (_e787 + select(0u, 1u, !(_e800)));
+                                            let _e797 = phi_2402_;
+                                            let _e799 = phi_2403_;
+                                            if (_e778 == 0u) {
+                                                phi_2424_ = (_e766 + select(0u, 1u, !(_e779)));
                                             } else {
-                                                if (_e799 == 7u) {
-                                                    phi_2570_ = 2147483648u;
+                                                if (_e778 == 7u) {
+                                                    phi_2423_ = 2147483648u;
                                                 } else {
-                                                    phi_2570_ = ((2147483648u | (_e799 << bitcast<u32>(28u))) | (select(_e818, _e788, _e820) & 268435455u));
+                                                    phi_2423_ = ((2147483648u | (_e778 << bitcast<u32>(28u))) | (select(_e797, _e767, _e799) & 268435455u));
                                                 }
-                                                let _e833 = phi_2570_;
-                                                phi_2571_ = _e833;
+                                                let _e812 = phi_2423_;
+                                                phi_2424_ = _e812;
                                             }
-                                            let _e835 = phi_2571_;
-                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e537.member.member.x + _e663), (_e537.member.member.x + _e685), (_e537.member.member_1.x - _e702), (_e537.member.member_1.x - _e724)), vec4<f32>((_e537.member.member.y + _e672), (_e537.member.member.y + _e689), (_e537.member.member_1.y - _e711), (_e537.member.member_1.y - _e728)), vec4<f32>((_e537.member.member.z + _e681), (_e537.member.member.z + _e693), (_e537.member.member_1.z - _e720), (_e537.member.member_1.z - _e732))), type_49(type_32((_e537.member.member + vec4<f32>(_e663, _e672, _e681, 0f)), (_e537.member.member_1 - vec4<f32>(_e702, _e711, _e720, 0f))), _e811), type_49(type_32((_e537.member.member + vec4<f32>(_e685, _e689, _e693, 0f)), (_e537.member.member_1 - vec4<f32>(_e724, _e728, _e732, 0f))), _e835));
+                                            let _e814 = phi_2424_;
+                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e537.member.member.x + _e642), (_e537.member.member.x + _e664), (_e537.member.member_1.x - _e681), (_e537.member.member_1.x - _e703)), vec4<f32>((_e537.member.member.y + _e651), (_e537.member.member.y + _e668), (_e537.member.member_1.y - _e690), (_e537.member.member_1.y - _e707)), vec4<f32>((_e537.member.member.z + _e660), (_e537.member.member.z + _e672), (_e537.member.member_1.z - _e699), (_e537.member.member_1.z - _e711))), type_49(type_32((_e537.member.member + vec4<f32>(_e642, _e651, _e660, 0f)), (_e537.member.member_1 - vec4<f32>(_e681, _e690, _e699, 0f))), _e790), type_49(type_32((_e537.member.member + vec4<f32>(_e664, _e668, _e672, 0f)), (_e537.member.member_1 - vec4<f32>(_e703, _e707, _e711, 0f))), _e814));
                                         }
-                                        let _e840 = phi_2575_;
-                                        let _e852 = ((_e840.member[0].x - _e326) * _e331);
-                                        let _e853 = ((_e840.member[0].y - _e326) * _e331);
-                                        let _e854 = ((_e840.member[0].z - _e327) * _e331);
-                                        let _e855 = ((_e840.member[0].w - _e327) * _e331);
-                                        let _e865 = ((_e840.member[1].x - _e364) * _e369);
-                                        let _e866 = ((_e840.member[1].y - _e364) * _e369);
-                                        let _e867 = ((_e840.member[1].z - _e365) * _e369);
-                                        let _e868 = ((_e840.member[1].w - _e365) * _e369);
-                                        let _e878 = ((_e840.member[2].x - _e402) * _e407);
-                                        let _e879 = ((_e840.member[2].y - _e402) * _e407);
-                                        let _e880 = ((_e840.member[2].z - _e403) * _e407);
-                                        let _e881 = ((_e840.member[2].w - _e403) * _e407);
-                                        let _e883 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e885 = select(_e881, _e879, (_e879 < _e881));
-                                        let _e887 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e889 = select(_e881, _e879, (_e879 > _e881));
-                                        let _e891 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e893 = select(_e855, _e853, (_e853 < _e855));
-                                        let _e895 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e897 = select(_e868, _e866, (_e866 < _e868));
-                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
-                                        let _e901 = select(_e897, _e893, (_e893 > _e897));
-                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
-                                        let _e905 = select(_e885, _e901, (_e901 > _e885));
-                                        let _e907 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e909 = select(_e855, _e853, (_e853 > _e855));
-                                        let _e911 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e913 = select(_e868, _e866, (_e866 > _e868));
-                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
-                                        let _e917 = select(_e913, _e909, (_e909 < _e913));
-                                        let _e922 = -(_e883);
-                                        let _e923 = -(_e885);
-                                        let _e930 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e922, _e887, (_e887 > _e922)) * 0.0000019073523f));
-                                        let _e931 = (select(_e889, _e917, (_e917 < _e889)) + (select(_e923, _e889, (_e889 > _e923)) * 0.0000019073523f));
-                                        let _e933 = select(_e454, _e903, (_e903 > _e454));
-                                        let _e935 = select(_e454, _e905, (_e905 > _e454));
-                                        let _e940 = (_e933 <= select(_e498.member, _e930, (_e930 < _e498.member)));
-                                        let _e941 = (_e935 <= select(_e498.member, _e931, (_e931 < _e498.member)));
-                                        let _e942 = (_e933 <= _e935);
-                                        if _e940 {
-                                            if _e941 {
-                                                if _e942 {
-                                                    phi_2919_ = _e840.member_2;
+                                        let _e819 = phi_2428_;
+                                        let _e831 = ((_e819.member[0].x - _e326) * _e331);
+                                        let _e832 = ((_e819.member[0].y - _e326) * _e331);
+                                        let _e833 = ((_e819.member[0].z - _e327) * _e331);
+                                        let _e834 = ((_e819.member[0].w - _e327) * _e331);
+                                        let _e844 = ((_e819.member[1].x - _e364) * _e369);
+                                        let _e845 = ((_e819.member[1].y - _e364) * _e369);
+                                        let _e846 = ((_e819.member[1].z - _e365) * _e369);
+                                        let _e847 = ((_e819.member[1].w - _e365) * _e369);
+                                        let _e857 = ((_e819.member[2].x - _e402) * _e407);
+                                        let _e858 = ((_e819.member[2].y - _e402) * _e407);
+                                        let _e859 = ((_e819.member[2].z - _e403) * _e407);
+                                        let _e860 = ((_e819.member[2].w - _e403) * _e407);
+                                        let _e862 = select(_e859, _e857, (_e857 < _e859));
+                                        let _e864 = select(_e860, _e858, (_e858 < _e860));
+                                        let _e866 = select(_e859, _e857, (_e857 > _e859));
+                                        let _e868 = select(_e860, _e858, (_e858 > _e860));
+                                        let _e870 = select(_e833, _e831, (_e831 < _e833));
+                                        let _e872 = select(_e834, _e832, (_e832 < _e834));
+                                        let _e874 = select(_e846, _e844, (_e844 < _e846));
+                                        let _e876 = select(_e847, _e845, (_e845 < _e847));
+                                        let _e878 = select(_e874, _e870, (_e870 > _e874));
+                                        let _e880 = select(_e876, _e872, (_e872 > _e876));
+                                        let _e882 = select(_e862, _e878, (_e878 > _e862));
+                                        let _e884 = select(_e864, _e880, (_e880 > _e864));
+                                        let _e886 = select(_e833, _e831, (_e831 > _e833));
+                                        let _e888 = select(_e834, _e832, (_e832 > _e834));
+                                        let _e890 = select(_e846, _e844, (_e844 > _e846));
+                                        let _e892 = select(_e847, _e845, (_e845 > _e847));
+                                        let _e894 = select(_e890, _e886, (_e886 < _e890));
+                                        let _e896 = select(_e892, _e888, (_e888 < _e892));
+                                        let _e901 = -(_e862);
+                                        let _e902 = -(_e864);
+                                        let _e909 = (select(_e866, _e894, (_e894 < _e866)) + (select(_e901, _e866, (_e866 > _e901)) * 0.0000019073523f));
+                                        let _e910 = (select(_e868, _e896, (_e896 < _e868)) + (select(_e902, _e868, (_e868 > _e902)) * 0.0000019073523f));
+                                        let _e912 = select(_e454, _e882, (_e882 > _e454));
+                                        let _e914 = select(_e454, _e884, (_e884 > _e454));
+                                        let _e919 = (_e912 <= select(_e498.member, _e909, (_e909 < _e498.member)));
+                                        let _e920 = (_e914 <= select(_e498.member, _e910, (_e910 < _e498.member)));
+                                        let _e921 = (_e912 <= _e914);
+                                        if _e919 {
+                                            if _e920 {
+                                                if _e921 {
+                                                    phi_2772_ = _e819.member_2;
                                                 } else {
-                                                    phi_2919_ = _e840.member_1;
+                                                    phi_2772_ = _e819.member_1;
                                                 }
-                                                let _e946 = phi_2919_;
-                                                let _e968 = (_e541 % 128u);
-                                                let _e969 = (_e968 < 128u);
-                                                if _e969 {
+                                                let _e925 = phi_2772_;
+                                                let _e947 = (_e541 % 128u);
+                                                let _e948 = (_e947 < 128u);
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_8[_e968] = _e946.member_1;
-                                                if _e969 {
+                                                local_8[_e947] = _e925.member_1;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_7[_e968] = _e946.member.member.x;
-                                                if _e969 {
+                                                local_7[_e947] = _e925.member.member.x;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_6[_e968] = _e946.member.member.y;
-                                                if _e969 {
+                                                local_6[_e947] = _e925.member.member.y;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_5[_e968] = _e946.member.member.z;
-                                                if _e969 {
+                                                local_5[_e947] = _e925.member.member.z;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_4[_e968] = _e946.member.member_1.x;
-                                                if _e969 {
+                                                local_4[_e947] = _e925.member.member_1.x;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_3[_e968] = _e946.member.member_1.y;
-                                                if _e969 {
+                                                local_3[_e947] = _e925.member.member_1.y;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_2[_e968] = _e946.member.member_1.z;
-                                                if _e969 {
+                                                local_2[_e947] = _e925.member.member_1.z;
+                                                if _e948 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_9[_e968] = select(_e935, _e933, (_e933 > _e935));
-                                                if _e942 {
-                                                    phi_2996_ = _e840.member_1;
+                                                local_9[_e947] = select(_e914, _e912, (_e912 > _e914));
+                                                if _e921 {
+                                                    phi_2849_ = _e819.member_1;
                                                 } else {
-                                                    phi_2996_ = _e840.member_2;
+                                                    phi_2849_ = _e819.member_2;
                                                 }
-                                                let _e982 = phi_2996_;
-                                                phi_2997_ = _e982;
-                                                phi_2998_ = (_e541 + 1u);
+                                                let _e961 = phi_2849_;
+                                                phi_2850_ = _e961;
+                                                phi_2851_ = (_e541 + 1u);
                                             } else {
-                                                phi_2997_ = type_49();
-                                                phi_2998_ = u32();
+                                                phi_2850_ = type_49();
+                                                phi_2851_ = u32();
                                             }
-                                            let _e984 = phi_2997_;
-                                            let _e986 = phi_2998_;
-                                            phi_3000_ = _e984;
-                                            phi_3001_ = _e986;
-                                            phi_3002_ = select(true, false, _e941);
+                                            let _e963 = phi_2850_;
+                                            let _e965 = phi_2851_;
+                                            phi_2853_ = _e963;
+                                            phi_2854_ = _e965;
+                                            phi_2855_ = select(true, false, _e920);
                                         } else {
-                                            phi_3000_ = type_49();
-                                            phi_3001_ = u32();
-                                            phi_3002_ = true;
+                                            phi_2853_ = type_49();
+                                            phi_2854_ = u32();
+                                            phi_2855_ = true;
                                         }
-                                        let _e989 = phi_3000_;
-                                        let _e991 = phi_3001_;
-                                        let _e993 = phi_3002_;
-                                        if _e993 {
-                                            if _e940 {
-                                                phi_3011_ = _e840.member_1;
+                                        let _e968 = phi_2853_;
+                                        let _e970 = phi_2854_;
+                                        let _e972 = phi_2855_;
+                                        if _e972 {
+                                            if _e919 {
+                                                phi_2864_ = _e819.member_1;
                                             } else {
-                                                phi_3011_ = _e840.member_2;
+                                                phi_2864_ = _e819.member_2;
                                             }
-                                            let _e997 = phi_3011_;
-                                            phi_3016_ = _e997;
-                                            phi_3017_ = select(_e941, true, _e940);
+                                            let _e976 = phi_2864_;
+                                            phi_2869_ = _e976;
+                                            phi_2870_ = select(_e920, true, _e919);
                                         } else {
-                                            phi_3016_ = _e989;
-                                            phi_3017_ = _e539;
+                                            phi_2869_ = _e968;
+                                            phi_2870_ = _e539;
                                         }
-                                        let _e1000 = phi_3016_;
-                                        let _e1002 = phi_3017_;
-                                        phi_3367_ = _e496;
-                                        phi_3019_ = _e498;
-                                        phi_3020_ = _e1000;
-                                        phi_3021_ = _e1002;
-                                        phi_3022_ = select(_e991, _e541, _e993);
+                                        let _e979 = phi_2869_;
+                                        let _e981 = phi_2870_;
+                                        phi_3220_ = _e496;
+                                        phi_2872_ = _e498;
+                                        phi_2873_ = _e979;
+                                        phi_2874_ = _e981;
+                                        phi_2875_ = select(_e970, _e541, _e972);
                                     }
-                                    let _e1405 = phi_3367_;
-                                    let _e1407 = phi_3019_;
-                                    let _e1409 = phi_3020_;
-                                    let _e1411 = phi_3021_;
-                                    let _e1413 = phi_3022_;
-                                    phi_3366_ = _e1405;
-                                    phi_3023_ = _e1407;
-                                    phi_3024_ = _e1409;
-                                    phi_3025_ = (_e502 - 1u);
-                                    phi_3026_ = _e1411;
-                                    phi_3027_ = _e1413;
+                                    let _e1384 = phi_3220_;
+                                    let _e1386 = phi_2872_;
+                                    let _e1388 = phi_2873_;
+                                    let _e1390 = phi_2874_;
+                                    let _e1392 = phi_2875_;
+                                    phi_3219_ = _e1384;
+                                    phi_2876_ = _e1386;
+                                    phi_2877_ = _e1388;
+                                    phi_2878_ = (_e502 - 1u);
+                                    phi_2879_ = _e1390;
+                                    phi_2880_ = _e1392;
                                 } else {
-                                    phi_3366_ = _e496;
-                                    phi_3023_ = _e498;
-                                    phi_3024_ = _e537;
-                                    phi_3025_ = _e502;
-                                    phi_3026_ = _e539;
-                                    phi_3027_ = _e541;
+                                    phi_3219_ = _e496;
+                                    phi_2876_ = _e498;
+                                    phi_2877_ = _e537;
+                                    phi_2878_ = _e502;
+                                    phi_2879_ = _e539;
+                                    phi_2880_ = _e541;
                                 }
-                                let _e1415 = phi_3366_;
-                                let _e1417 = phi_3023_;
-                                let _e1419 = phi_3024_;
-                                let _e1421 = phi_3025_;
-                                let _e1423 = phi_3026_;
-                                let _e1425 = phi_3027_;
-                                phi_3365_ = _e1415;
-                                phi_3028_ = _e1417;
-                                phi_3029_ = _e1419;
-                                phi_3030_ = _e1421;
-                                phi_3031_ = _e1423;
-                                phi_3032_ = _e1425;
+                                let _e1394 = phi_3219_;
+                                let _e1396 = phi_2876_;
+                                let _e1398 = phi_2877_;
+                                let _e1400 = phi_2878_;
+                                let _e1402 = phi_2879_;
+                                let _e1404 = phi_2880_;
+                                phi_3218_ = _e1394;
+                                phi_2881_ = _e1396;
+                                phi_2882_ = _e1398;
+                                phi_2883_ = _e1400;
+                                phi_2884_ = _e1402;
+                                phi_2885_ = _e1404;
                             } else {
-                                phi_3365_ = _e496;
-                                phi_3028_ = type_42();
-                                phi_3029_ = type_49();
-                                phi_3030_ = u32();
-                                phi_3031_ = bool();
-                                phi_3032_ = u32();
+                                phi_3218_ = _e496;
+                                phi_2881_ = type_42();
+                                phi_2882_ = type_49();
+                                phi_2883_ = u32();
+                                phi_2884_ = bool();
+                                phi_2885_ = u32();
                             }
-                            let _e1427 = phi_3365_;
-                            let _e1429 = phi_3028_;
-                            let _e1431 = phi_3029_;
-                            let _e1433 = phi_3030_;
-                            let _e1435 = phi_3031_;
-                            let _e1437 = phi_3032_;
-                            phi_3364_ = _e1427;
-                            phi_822_ = _e1429;
-                            phi_825_ = _e1431;
-                            phi_827_ = _e1433;
-                            phi_829_ = _e1435;
-                            phi_831_ = _e1437;
-                            phi_3033_ = _e510;
+                            let _e1406 = phi_3218_;
+                            let _e1408 = phi_2881_;
+                            let _e1410 = phi_2882_;
+                            let _e1412 = phi_2883_;
+                            let _e1414 = phi_2884_;
+                            let _e1416 = phi_2885_;
+                            phi_3217_ = _e1406;
+                            phi_817_ = _e1408;
+                            phi_820_ = _e1410;
+                            phi_822_ = _e1412;
+                            phi_824_ = _e1414;
+                            phi_826_ = _e1416;
+                            phi_2886_ = _e510;
                         } else {
-                            phi_3364_ = _e496;
-                            phi_822_ = type_42();
-                            phi_825_ = type_49();
-                            phi_827_ = u32();
-                            phi_829_ = bool();
-                            phi_831_ = u32();
-                            phi_3033_ = false;
+                            phi_3217_ = _e496;
+                            phi_817_ = type_42();
+                            phi_820_ = type_49();
+                            phi_822_ = u32();
+                            phi_824_ = bool();
+                            phi_826_ = u32();
+                            phi_2886_ = false;
                         }
-                        let _e1439 = phi_3364_;
-                        let _e1441 = phi_822_;
-                        let _e1443 = phi_825_;
-                        let _e1445 = phi_827_;
-                        let _e1447 = phi_829_;
-                        let _e1449 = phi_831_;
-                        let _e1451 = phi_3033_;
+                        let _e1418 = phi_3217_;
+                        let _e1420 = phi_817_;
+                        let _e1422 = phi_820_;
+                        let _e1424 = phi_822_;
+                        let _e1426 = phi_824_;
+                        let _e1428 = phi_826_;
+                        let _e1430 = phi_2886_;
                         continue;
                         continuing {
-                            phi_3258_ = _e1439;
-                            phi_821_ = _e1441;
-                            phi_824_ = _e1443;
-                            phi_826_ = _e1445;
-                            phi_828_ = _e1447;
-                            phi_830_ = _e1449;
-                            phi_3363_ = _e1439;
-                            break if !(_e1451);
+                            phi_3111_ = _e1418;
+                            phi_816_ = _e1420;
+                            phi_819_ = _e1422;
+                            phi_821_ = _e1424;
+                            phi_823_ = _e1426;
+                            phi_825_ = _e1428;
+                            phi_3216_ = _e1418;
+                            break if !(_e1430);
                         }
                     }
-                    let _e1454 = phi_3363_;
-                    if _e1454 {
+                    let _e1433 = phi_3216_;
+                    if _e1433 {
                         break;
                     }
-                    let _e1456 = local_11;
+                    let _e1435 = local_11;
                     if _e142 {
                     } else {
                         break;
                     }
-                    global_6.member[_e140] = select(0u, 1u, _e1456.member_1);
+                    global_6.member[_e140] = select(0u, 1u, _e1435.member_1);
                 }
             }
             break;

@@ -86,140 +86,140 @@ fn function_() {
     var local_10: array<u32, 3>;
     var local_11: array<array<f32, 3>, 3>;
     var local_12: array<f32, 4>;
+    var phi_396_: i32;
     var phi_397_: i32;
-    var phi_398_: i32;
-    var phi_408_: bool;
+    var phi_407_: bool;
+    var phi_417_: u32;
     var phi_418_: u32;
-    var phi_419_: u32;
-    var phi_421_: bool;
-    var phi_426_: u32;
-    var phi_439_: i32;
-    var phi_459_: i32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
-    var phi_566_: f32;
-    var phi_589_: f32;
-    var phi_600_: f32;
-    var phi_609_: f32;
-    var phi_615_: f32;
-    var phi_626_: f32;
-    var phi_632_: f32;
-    var phi_655_: f32;
-    var phi_666_: f32;
+    var phi_420_: bool;
+    var phi_425_: u32;
+    var phi_438_: i32;
+    var phi_458_: i32;
+    var phi_476_: f32;
+    var phi_482_: f32;
+    var phi_493_: f32;
+    var phi_499_: f32;
+    var phi_522_: f32;
+    var phi_533_: f32;
+    var phi_542_: f32;
+    var phi_548_: f32;
+    var phi_559_: f32;
+    var phi_565_: f32;
+    var phi_588_: f32;
+    var phi_599_: f32;
+    var phi_608_: f32;
+    var phi_614_: f32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_654_: f32;
+    var phi_665_: f32;
+    var phi_765_: f32;
     var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_3557_: bool;
+    var phi_3414_: bool;
+    var phi_855_: type_38;
+    var phi_858_: type_49;
+    var phi_860_: u32;
+    var phi_862_: bool;
+    var phi_864_: u32;
+    var phi_875_: bool;
+    var phi_961_: type_49;
+    var phi_962_: bool;
+    var phi_963_: u32;
+    var phi_2424_: u32;
+    var phi_2430_: u32;
+    var phi_2684_: u32;
+    var phi_2685_: u32;
+    var phi_2695_: u32;
+    var phi_2697_: u32;
+    var phi_2698_: bool;
+    var phi_2718_: u32;
+    var phi_2719_: u32;
+    var phi_2723_: type_50;
+    var phi_3067_: type_49;
+    var phi_3144_: type_49;
+    var phi_3145_: type_49;
+    var phi_3146_: u32;
+    var phi_3148_: type_49;
+    var phi_3149_: u32;
+    var phi_3150_: bool;
+    var phi_3159_: type_49;
+    var phi_3164_: type_49;
+    var phi_3165_: bool;
+    var phi_3411_: bool;
+    var phi_982_: type_38;
+    var phi_985_: type_8;
+    var phi_986_: type_8;
+    var phi_1008_: type_8;
+    var phi_1049_: u32;
+    var phi_1055_: u32;
+    var phi_1065_: u32;
+    var phi_1081_: u32;
+    var phi_1118_: u32;
+    var phi_1124_: u32;
+    var phi_1134_: u32;
+    var phi_3396_: bool;
+    var phi_1150_: type_8;
+    var phi_1151_: type_8;
+    var phi_1174_: type_8;
+    var phi_1197_: u32;
+    var phi_1212_: u32;
+    var phi_1215_: type_8;
+    var phi_1216_: type_8;
+    var phi_1239_: type_8;
+    var phi_1305_: u32;
+    var phi_1285_: u32;
+    var phi_1286_: u32;
+    var phi_1309_: f32;
+    var phi_3389_: bool;
+    var phi_3468_: bool;
+    var phi_3467_: bool;
+    var phi_1809_: vec3<f32>;
+    var phi_1810_: vec3<f32>;
+    var phi_1841_: bool;
+    var phi_1850_: vec3<f32>;
+    var phi_1890_: type_24;
+    var phi_1892_: type_24;
+    var phi_1893_: bool;
+    var phi_1897_: type_24;
+    var phi_1898_: type_24;
+    var phi_1899_: type_24;
+    var phi_1900_: bool;
+    var phi_1904_: type_24;
+    var phi_1905_: bool;
+    var phi_1909_: type_24;
+    var phi_1910_: bool;
+    var phi_1914_: type_24;
+    var phi_1925_: type_38;
+    var phi_1926_: type_38;
+    var phi_3470_: bool;
+    var phi_983_: type_38;
+    var phi_3469_: bool;
+    var local_13: type_38;
+    var phi_3529_: bool;
+    var phi_3167_: type_38;
+    var phi_3168_: type_49;
+    var phi_3169_: bool;
+    var phi_3170_: u32;
+    var phi_3528_: bool;
+    var phi_3171_: type_38;
+    var phi_3172_: type_49;
+    var phi_3173_: u32;
+    var phi_3174_: bool;
+    var phi_3175_: u32;
+    var phi_3527_: bool;
+    var phi_3176_: type_38;
+    var phi_3177_: type_49;
+    var phi_3178_: u32;
+    var phi_3179_: bool;
+    var phi_3180_: u32;
+    var phi_3526_: bool;
     var phi_856_: type_38;
     var phi_859_: type_49;
     var phi_861_: u32;
     var phi_863_: bool;
     var phi_865_: u32;
-    var phi_876_: bool;
-    var phi_962_: type_49;
-    var phi_963_: bool;
-    var phi_964_: u32;
-    var phi_2567_: u32;
-    var phi_2573_: u32;
-    var phi_2827_: u32;
-    var phi_2828_: u32;
-    var phi_2838_: u32;
-    var phi_2840_: u32;
-    var phi_2841_: bool;
-    var phi_2861_: u32;
-    var phi_2862_: u32;
-    var phi_2866_: type_50;
-    var phi_3210_: type_49;
-    var phi_3287_: type_49;
-    var phi_3288_: type_49;
-    var phi_3289_: u32;
-    var phi_3291_: type_49;
-    var phi_3292_: u32;
-    var phi_3293_: bool;
-    var phi_3302_: type_49;
-    var phi_3307_: type_49;
-    var phi_3308_: bool;
-    var phi_3554_: bool;
-    var phi_983_: type_38;
-    var phi_986_: type_8;
-    var phi_987_: type_8;
-    var phi_1009_: type_8;
-    var phi_1050_: u32;
-    var phi_1056_: u32;
-    var phi_1066_: u32;
-    var phi_1082_: u32;
-    var phi_1119_: u32;
-    var phi_1125_: u32;
-    var phi_1135_: u32;
-    var phi_3539_: bool;
-    var phi_1151_: type_8;
-    var phi_1152_: type_8;
-    var phi_1175_: type_8;
-    var phi_1198_: u32;
-    var phi_1213_: u32;
-    var phi_1216_: type_8;
-    var phi_1217_: type_8;
-    var phi_1240_: type_8;
-    var phi_1306_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1310_: f32;
-    var phi_3532_: bool;
-    var phi_3611_: bool;
-    var phi_3610_: bool;
-    var phi_1810_: vec3<f32>;
-    var phi_1811_: vec3<f32>;
-    var phi_1842_: bool;
-    var phi_1851_: vec3<f32>;
-    var phi_1891_: type_24;
-    var phi_1893_: type_24;
-    var phi_1894_: bool;
-    var phi_1898_: type_24;
-    var phi_1899_: type_24;
-    var phi_1900_: type_24;
-    var phi_1901_: bool;
-    var phi_1905_: type_24;
-    var phi_1906_: bool;
-    var phi_1910_: type_24;
-    var phi_1911_: bool;
-    var phi_1915_: type_24;
-    var phi_1926_: type_38;
-    var phi_1927_: type_38;
-    var phi_3613_: bool;
-    var phi_984_: type_38;
-    var phi_3612_: bool;
-    var local_13: type_38;
-    var phi_3672_: bool;
-    var phi_3310_: type_38;
-    var phi_3311_: type_49;
-    var phi_3312_: bool;
-    var phi_3313_: u32;
-    var phi_3671_: bool;
-    var phi_3314_: type_38;
-    var phi_3315_: type_49;
-    var phi_3316_: u32;
-    var phi_3317_: bool;
-    var phi_3318_: u32;
-    var phi_3670_: bool;
-    var phi_3319_: type_38;
-    var phi_3320_: type_49;
-    var phi_3321_: u32;
-    var phi_3322_: bool;
-    var phi_3323_: u32;
-    var phi_3669_: bool;
-    var phi_857_: type_38;
-    var phi_860_: type_49;
-    var phi_862_: u32;
-    var phi_864_: bool;
-    var phi_866_: u32;
-    var phi_3324_: bool;
-    var phi_3668_: bool;
+    var phi_3181_: bool;
+    var phi_3525_: bool;
     var local_14: type_38;
     var local_15: type_38;
 
@@ -273,199 +273,199 @@ fn function_() {
                     if _e226 {
                         let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
                         if (_e229 >= 8388608u) {
-                            phi_397_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                            phi_396_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_397_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_396_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e243 = phi_397_;
-                        phi_398_ = _e243;
+                        let _e243 = phi_396_;
+                        phi_397_ = _e243;
                     } else {
-                        phi_398_ = 0i;
+                        phi_397_ = 0i;
                     }
-                    let _e245 = phi_398_;
+                    let _e245 = phi_397_;
                     let _e246 = (_e162 == _e201);
                     if _e246 {
-                        phi_408_ = true;
+                        phi_407_ = true;
                     } else {
-                        phi_408_ = (_e169 == _e201);
+                        phi_407_ = (_e169 == _e201);
                     }
-                    let _e249 = phi_408_;
+                    let _e249 = phi_407_;
                     let _e250 = select(1u, 0u, _e246);
                     if _e249 {
                         let _e251 = (_e250 + 1u);
+                        phi_417_ = _e251;
                         phi_418_ = _e251;
-                        phi_419_ = _e251;
-                        phi_421_ = select(true, false, (_e251 == 2u));
+                        phi_420_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_418_ = u32();
-                        phi_419_ = 0u;
-                        phi_421_ = true;
+                        phi_417_ = u32();
+                        phi_418_ = 0u;
+                        phi_420_ = true;
                     }
-                    let _e255 = phi_418_;
-                    let _e257 = phi_419_;
-                    let _e259 = phi_421_;
+                    let _e255 = phi_417_;
+                    let _e257 = phi_418_;
+                    let _e259 = phi_420_;
                     if _e259 {
-                        phi_426_ = (_e257 + 1u);
+                        phi_425_ = (_e257 + 1u);
                     } else {
-                        phi_426_ = 0u;
+                        phi_425_ = 0u;
                     }
-                    let _e263 = phi_426_;
+                    let _e263 = phi_425_;
                     let _e264 = select(_e255, _e257, _e259);
                     let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
                     if (_e132 < -126i) {
-                        phi_439_ = -126i;
+                        phi_438_ = -126i;
                     } else {
-                        phi_439_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_438_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e270 = phi_439_;
+                    let _e270 = phi_438_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e282 = -(_e245);
                     if (_e282 < -126i) {
-                        phi_459_ = -126i;
+                        phi_458_ = -126i;
                     } else {
-                        phi_459_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_458_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e287 = phi_459_;
+                    let _e287 = phi_458_;
                     let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
                     let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
                     let _e302 = global_4.member[_e150].member;
                     let _e303 = (_e264 == 0u);
                     if _e303 {
-                        phi_477_ = _e302[0];
+                        phi_476_ = _e302[0];
                     } else {
-                        phi_477_ = _e302[1];
+                        phi_476_ = _e302[1];
                     }
-                    let _e307 = phi_477_;
+                    let _e307 = phi_476_;
                     let _e308 = (_e264 == 2u);
                     if _e308 {
-                        phi_483_ = _e302[2];
+                        phi_482_ = _e302[2];
                     } else {
-                        phi_483_ = _e307;
+                        phi_482_ = _e307;
                     }
-                    let _e311 = phi_483_;
+                    let _e311 = phi_482_;
                     let _e313 = ((_e311 * _e275) * _e281);
                     let _e314 = global_4.member[_e150].member_2;
                     if _e303 {
-                        phi_494_ = _e314[0];
+                        phi_493_ = _e314[0];
                     } else {
-                        phi_494_ = _e314[1];
+                        phi_493_ = _e314[1];
                     }
-                    let _e318 = phi_494_;
+                    let _e318 = phi_493_;
                     if _e308 {
-                        phi_500_ = _e314[2];
+                        phi_499_ = _e314[2];
                     } else {
-                        phi_500_ = _e318;
+                        phi_499_ = _e318;
                     }
-                    let _e321 = phi_500_;
+                    let _e321 = phi_499_;
                     let _e323 = ((_e321 * _e292) * _e298);
                     let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e327 {
                         let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
+                        phi_522_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = 0f;
+                        phi_522_ = 0f;
                     }
-                    let _e335 = phi_523_;
+                    let _e335 = phi_522_;
                     let _e336 = (_e313 + _e335);
                     let _e337 = (_e313 - _e335);
                     let _e338 = select(_e323, 0f, _e327);
                     if _e327 {
-                        phi_534_ = 38685626000000000000000000f;
+                        phi_533_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = (1f / _e323);
+                        phi_533_ = (1f / _e323);
                     }
-                    let _e341 = phi_534_;
+                    let _e341 = phi_533_;
                     let _e342 = (_e263 == 0u);
                     if _e342 {
-                        phi_543_ = _e302[0];
+                        phi_542_ = _e302[0];
                     } else {
-                        phi_543_ = _e302[1];
+                        phi_542_ = _e302[1];
                     }
-                    let _e346 = phi_543_;
+                    let _e346 = phi_542_;
                     let _e347 = (_e263 == 2u);
                     if _e347 {
-                        phi_549_ = _e302[2];
+                        phi_548_ = _e302[2];
                     } else {
-                        phi_549_ = _e346;
+                        phi_548_ = _e346;
                     }
-                    let _e350 = phi_549_;
+                    let _e350 = phi_548_;
                     let _e352 = ((_e350 * _e275) * _e281);
                     if _e342 {
-                        phi_560_ = _e314[0];
+                        phi_559_ = _e314[0];
                     } else {
-                        phi_560_ = _e314[1];
+                        phi_559_ = _e314[1];
                     }
-                    let _e356 = phi_560_;
+                    let _e356 = phi_559_;
                     if _e347 {
-                        phi_566_ = _e314[2];
+                        phi_565_ = _e314[2];
                     } else {
-                        phi_566_ = _e356;
+                        phi_565_ = _e356;
                     }
-                    let _e359 = phi_566_;
+                    let _e359 = phi_565_;
                     let _e361 = ((_e359 * _e292) * _e298);
                     let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e365 {
                         let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
-                        phi_589_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
+                        phi_588_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
                     } else {
-                        phi_589_ = 0f;
+                        phi_588_ = 0f;
                     }
-                    let _e373 = phi_589_;
+                    let _e373 = phi_588_;
                     let _e374 = (_e352 + _e373);
                     let _e375 = (_e352 - _e373);
                     let _e376 = select(_e361, 0f, _e365);
                     if _e365 {
-                        phi_600_ = 38685626000000000000000000f;
+                        phi_599_ = 38685626000000000000000000f;
                     } else {
-                        phi_600_ = (1f / _e361);
+                        phi_599_ = (1f / _e361);
                     }
-                    let _e379 = phi_600_;
+                    let _e379 = phi_599_;
                     let _e380 = (_e265 == 0u);
                     if _e380 {
-                        phi_609_ = _e302[0];
+                        phi_608_ = _e302[0];
                     } else {
-                        phi_609_ = _e302[1];
+                        phi_608_ = _e302[1];
                     }
-                    let _e384 = phi_609_;
+                    let _e384 = phi_608_;
                     let _e385 = (_e265 == 2u);
                     if _e385 {
-                        phi_615_ = _e302[2];
+                        phi_614_ = _e302[2];
                     } else {
-                        phi_615_ = _e384;
+                        phi_614_ = _e384;
                     }
-                    let _e388 = phi_615_;
+                    let _e388 = phi_614_;
                     let _e390 = ((_e388 * _e275) * _e281);
                     if _e380 {
-                        phi_626_ = _e314[0];
+                        phi_625_ = _e314[0];
                     } else {
-                        phi_626_ = _e314[1];
+                        phi_625_ = _e314[1];
                     }
-                    let _e394 = phi_626_;
+                    let _e394 = phi_625_;
                     if _e385 {
-                        phi_632_ = _e314[2];
+                        phi_631_ = _e314[2];
                     } else {
-                        phi_632_ = _e394;
+                        phi_631_ = _e394;
                     }
-                    let _e397 = phi_632_;
+                    let _e397 = phi_631_;
                     let _e399 = ((_e397 * _e292) * _e298);
                     let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e403 {
                         let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
-                        phi_655_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                        phi_654_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                     } else {
-                        phi_655_ = 0f;
+                        phi_654_ = 0f;
                     }
-                    let _e411 = phi_655_;
+                    let _e411 = phi_654_;
                     let _e412 = (_e390 + _e411);
                     let _e413 = (_e390 - _e411);
                     let _e414 = select(_e399, 0f, _e403);
                     if _e403 {
-                        phi_666_ = 38685626000000000000000000f;
+                        phi_665_ = 38685626000000000000000000f;
                     } else {
-                        phi_666_ = (1f / _e399);
+                        phi_665_ = (1f / _e399);
                     }
-                    let _e417 = phi_666_;
+                    let _e417 = phi_665_;
                     let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
                     let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
                     let _e425 = select(_e423, _e420, (_e420 > _e423));
@@ -479,14 +479,14 @@ fn function_() {
                         let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
                         let _e456 = (((_e220 * _e441) * _e441) * _e448);
                         let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
-                        phi_766_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
-                        phi_767_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
+                        phi_765_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
+                        phi_766_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_766_ = 0f;
-                        phi_767_ = 1f;
+                        phi_765_ = 0f;
+                        phi_766_ = 1f;
                     }
-                    let _e462 = phi_766_;
-                    let _e464 = phi_767_;
+                    let _e462 = phi_765_;
+                    let _e464 = phi_766_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -531,1002 +531,981 @@ fn function_() {
                         break;
                     }
                     let _e496 = local[_e480];
-                    phi_3557_ = false;
-                    phi_856_ = type_38(_e462, false);
-                    phi_859_ = type_49(type_28(vec4<f32>((f32(_e471) * _e144), (f32(_e477) * _e144), (f32(_e483) * _e144), 0f), vec4<f32>((f32(_e488) * _e144), (f32(_e492) * _e144), (f32(_e496) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                    phi_861_ = ((3u * _e93) + 1u);
-                    phi_863_ = (_e464 <= _e462);
-                    phi_865_ = 0u;
+                    phi_3414_ = false;
+                    phi_855_ = type_38(_e462, false);
+                    phi_858_ = type_49(type_28(vec4<f32>((f32(_e471) * _e144), (f32(_e477) * _e144), (f32(_e483) * _e144), 0f), vec4<f32>((f32(_e488) * _e144), (f32(_e492) * _e144), (f32(_e496) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_860_ = ((3u * _e93) + 1u);
+                    phi_862_ = (_e464 <= _e462);
+                    phi_864_ = 0u;
                     loop {
-                        let _e506 = phi_3557_;
-                        let _e508 = phi_856_;
-                        let _e510 = phi_859_;
-                        let _e512 = phi_861_;
-                        let _e514 = phi_863_;
-                        let _e516 = phi_865_;
+                        let _e506 = phi_3414_;
+                        let _e508 = phi_855_;
+                        let _e510 = phi_858_;
+                        let _e512 = phi_860_;
+                        let _e514 = phi_862_;
+                        let _e516 = phi_864_;
                         local_14 = _e508;
                         if _e514 {
-                            phi_876_ = true;
+                            phi_875_ = true;
                         } else {
-                            phi_876_ = (_e516 > 0u);
+                            phi_875_ = (_e516 > 0u);
                         }
-                        let _e519 = phi_876_;
+                        let _e519 = phi_875_;
                         if _e519 {
                             let _e520 = (_e512 > 0u);
                             if _e520 {
                                 if _e514 {
-                                    phi_962_ = _e510;
-                                    phi_963_ = _e514;
-                                    phi_964_ = _e516;
+                                    phi_961_ = _e510;
+                                    phi_962_ = _e514;
+                                    phi_963_ = _e516;
                                 } else {
                                     let _e521 = (_e516 - 1u);
                                     let _e522 = (_e521 % 128u);
                                     let _e523 = (_e522 < 128u);
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e525 = local_7[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e527 = local_6[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e529 = local_5[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e531 = local_4[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e533 = local_3[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e535 = local_2[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e540 = local_8[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e543 = local_9[_e522];
-                                    phi_962_ = type_49(type_28(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
-                                    phi_963_ = (_e543 <= _e508.member);
-                                    phi_964_ = _e521;
+                                    phi_961_ = type_49(type_28(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
+                                    phi_962_ = (_e543 <= _e508.member);
+                                    phi_963_ = _e521;
                                 }
-                                let _e547 = phi_962_;
-                                let _e549 = phi_963_;
-                                let _e551 = phi_964_;
+                                let _e547 = phi_961_;
+                                let _e549 = phi_962_;
+                                let _e551 = phi_963_;
                                 if _e549 {
                                     let _e556 = (_e547.member_1 & 268435455u);
                                     if ((_e547.member_1 & 2147483648u) != 0u) {
-                                        phi_3554_ = _e506;
-                                        phi_983_ = _e508;
-                                        phi_986_ = type_8(0u, ((_e547.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3411_ = _e506;
+                                        phi_982_ = _e508;
+                                        phi_985_ = type_8(0u, ((_e547.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1037 = phi_3554_;
-                                            let _e1039 = phi_983_;
-                                            let _e1041 = phi_986_;
-                                            local_13 = _e1039;
-                                            local_15 = _e1039;
-                                            if (_e1041.member < _e1041.member_1) {
-                                                phi_987_ = type_8((_e1041.member + 1u), _e1041.member_1);
-                                                phi_1009_ = type_8(1u, _e1041.member);
+                                            let _e1016 = phi_3411_;
+                                            let _e1018 = phi_982_;
+                                            let _e1020 = phi_985_;
+                                            local_13 = _e1018;
+                                            local_15 = _e1018;
+                                            if (_e1020.member < _e1020.member_1) {
+                                                phi_986_ = type_8((_e1020.member + 1u), _e1020.member_1);
+                                                phi_1008_ = type_8(1u, _e1020.member);
                                             } else {
-                                                phi_987_ = _e1041;
-                                                phi_1009_ = type_8(0u, type_8().member_1);
+                                                phi_986_ = _e1020;
+                                                phi_1008_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1054 = phi_987_;
-                                            let _e1056 = phi_1009_;
-                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
-                                            if _e1060 {
-                                                let _e1065 = (_e547.member.member_1.x - _e547.member.member.x);
-                                                let _e1068 = (_e547.member.member_1.y - _e547.member.member.y);
-                                                let _e1071 = (_e547.member.member_1.z - _e547.member.member.z);
-                                                let _e1073 = select(_e1068, _e1065, (_e1065 > _e1068));
-                                                let _e1075 = select(_e1071, _e1073, (_e1073 > _e1071));
-                                                let _e1077 = (_e1075 < (1024f * _e144));
-                                                if _e1077 {
-                                                    phi_1050_ = 0u;
+                                            let _e1033 = phi_986_;
+                                            let _e1035 = phi_1008_;
+                                            let _e1039 = (bitcast<i32>(_e1035.member) != 0i);
+                                            if _e1039 {
+                                                let _e1044 = (_e547.member.member_1.x - _e547.member.member.x);
+                                                let _e1047 = (_e547.member.member_1.y - _e547.member.member.y);
+                                                let _e1050 = (_e547.member.member_1.z - _e547.member.member.z);
+                                                let _e1052 = select(_e1047, _e1044, (_e1044 > _e1047));
+                                                let _e1054 = select(_e1050, _e1052, (_e1052 > _e1050));
+                                                let _e1056 = (_e1054 < (1024f * _e144));
+                                                if _e1056 {
+                                                    phi_1049_ = 0u;
                                                 } else {
-                                                    phi_1050_ = select(2u, 1u, (_e1075 < (2097152f * _e144)));
+                                                    phi_1049_ = select(2u, 1u, (_e1054 < (2097152f * _e144)));
                                                 }
-                                                let _e1082 = phi_1050_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1061 = phi_1049_;
+                                                switch bitcast<i32>(_e1061) {
                                                     case 0: {
-                                                        phi_1056_ = 1u;
+                                                        phi_1055_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1056_ = 2u;
+                                                        phi_1055_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1056_ = 3u;
+                                                        phi_1055_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1056_ = u32();
+                                                        phi_1055_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1085 = phi_1056_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1064 = phi_1055_;
+                                                switch bitcast<i32>(_e1061) {
                                                     case 0: {
-                                                        phi_1066_ = 1u;
+                                                        phi_1065_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1066_ = 2u;
+                                                        phi_1065_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1066_ = 3u;
+                                                        phi_1065_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1066_ = u32();
+                                                        phi_1065_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1092 = phi_1066_;
-                                                let _e1094 = ((_e556 + (_e1056.member_1 * ((3u * _e1085) + 1u))) + (3u * _e1092));
-                                                let _e1095 = (_e1094 < _e96);
-                                                if _e1095 {
-                                                    if _e1095 {
+                                                let _e1071 = phi_1065_;
+                                                let _e1073 = ((_e556 + (_e1035.member_1 * ((3u * _e1064) + 1u))) + (3u * _e1071));
+                                                let _e1074 = (_e1073 < _e96);
+                                                if _e1074 {
+                                                    if _e1074 {
                                                     } else {
-                                                        phi_3612_ = true;
+                                                        phi_3469_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_6.member[_e1094];
-                                                    phi_1082_ = _e1097;
+                                                    let _e1076 = global_6.member[_e1073];
+                                                    phi_1081_ = _e1076;
                                                 } else {
-                                                    phi_1082_ = 4294967295u;
+                                                    phi_1081_ = 4294967295u;
                                                 }
-                                                let _e1099 = phi_1082_;
+                                                let _e1078 = phi_1081_;
                                                 local_10 = array<u32, 3>(_e264, _e263, _e265);
-                                                if _e1077 {
-                                                    phi_1119_ = 0u;
+                                                if _e1056 {
+                                                    phi_1118_ = 0u;
                                                 } else {
-                                                    phi_1119_ = select(2u, 1u, (_e1075 < (2097152f * _e144)));
+                                                    phi_1118_ = select(2u, 1u, (_e1054 < (2097152f * _e144)));
                                                 }
-                                                let _e1105 = phi_1119_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1084 = phi_1118_;
+                                                switch bitcast<i32>(_e1084) {
                                                     case 0: {
-                                                        phi_1125_ = 1u;
+                                                        phi_1124_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1125_ = 2u;
+                                                        phi_1124_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1125_ = 3u;
+                                                        phi_1124_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1125_ = u32();
+                                                        phi_1124_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1108 = phi_1125_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1087 = phi_1124_;
+                                                switch bitcast<i32>(_e1084) {
                                                     case 0: {
-                                                        phi_1135_ = 1u;
+                                                        phi_1134_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1135_ = 2u;
+                                                        phi_1134_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1135_ = 3u;
+                                                        phi_1134_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1135_ = u32();
+                                                        phi_1134_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1115 = phi_1135_;
+                                                let _e1094 = phi_1134_;
                                                 local_12 = array<f32, 4>(_e547.member.member.x, _e547.member.member.y, _e547.member.member.z, _e547.member.member.w);
                                                 local_11[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3539_ = _e1037;
-                                                phi_1151_ = type_8(0u, 3u);
+                                                phi_3396_ = _e1016;
+                                                phi_1150_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1129 = phi_3539_;
-                                                    let _e1131 = phi_1151_;
-                                                    if (_e1131.member < _e1131.member_1) {
-                                                        phi_1152_ = type_8((_e1131.member + 1u), _e1131.member_1);
-                                                        phi_1175_ = type_8(1u, _e1131.member);
+                                                    let _e1108 = phi_3396_;
+                                                    let _e1110 = phi_1150_;
+                                                    if (_e1110.member < _e1110.member_1) {
+                                                        phi_1151_ = type_8((_e1110.member + 1u), _e1110.member_1);
+                                                        phi_1174_ = type_8(1u, _e1110.member);
                                                     } else {
-                                                        phi_1152_ = _e1131;
-                                                        phi_1175_ = type_8(0u, type_8().member_1);
+                                                        phi_1151_ = _e1110;
+                                                        phi_1174_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1144 = phi_1152_;
-                                                    let _e1146 = phi_1175_;
-                                                    let _e1150 = (bitcast<i32>(_e1146.member) != 0i);
-                                                    if _e1150 {
-                                                        let _e1152 = ((_e556 + (_e1056.member_1 * ((3u * _e1108) + 1u))) + (_e1146.member_1 * _e1115));
-                                                        let _e1153 = (_e1152 < _e96);
-                                                        if _e1153 {
-                                                            if _e1153 {
+                                                    let _e1123 = phi_1151_;
+                                                    let _e1125 = phi_1174_;
+                                                    let _e1129 = (bitcast<i32>(_e1125.member) != 0i);
+                                                    if _e1129 {
+                                                        let _e1131 = ((_e556 + (_e1035.member_1 * ((3u * _e1087) + 1u))) + (_e1125.member_1 * _e1094));
+                                                        let _e1132 = (_e1131 < _e96);
+                                                        if _e1132 {
+                                                            if _e1132 {
                                                             } else {
-                                                                phi_3610_ = true;
+                                                                phi_3467_ = true;
                                                                 break;
                                                             }
-                                                            let _e1155 = global_6.member[_e1152];
-                                                            phi_1198_ = _e1155;
+                                                            let _e1134 = global_6.member[_e1131];
+                                                            phi_1197_ = _e1134;
                                                         } else {
-                                                            phi_1198_ = 0u;
+                                                            phi_1197_ = 0u;
                                                         }
-                                                        let _e1157 = phi_1198_;
-                                                        let _e1158 = (_e1152 + 1u);
-                                                        let _e1159 = (_e1158 < _e96);
-                                                        if _e1159 {
-                                                            if _e1159 {
+                                                        let _e1136 = phi_1197_;
+                                                        let _e1137 = (_e1131 + 1u);
+                                                        let _e1138 = (_e1137 < _e96);
+                                                        if _e1138 {
+                                                            if _e1138 {
                                                             } else {
-                                                                phi_3610_ = true;
+                                                                phi_3467_ = true;
                                                                 break;
                                                             }
-                                                            let _e1161 = global_6.member[_e1158];
-                                                            phi_1213_ = _e1161;
+                                                            let _e1140 = global_6.member[_e1137];
+                                                            phi_1212_ = _e1140;
                                                         } else {
-                                                            phi_1213_ = 0u;
+                                                            phi_1212_ = 0u;
                                                         }
-                                                        let _e1163 = phi_1213_;
-                                                        phi_1216_ = type_8(0u, 3u);
+                                                        let _e1142 = phi_1212_;
+                                                        phi_1215_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1165 = phi_1216_;
-                                                            if (_e1165.member < _e1165.member_1) {
-                                                                phi_1217_ = type_8((_e1165.member + 1u), _e1165.member_1);
-                                                                phi_1240_ = type_8(1u, _e1165.member);
+                                                            let _e1144 = phi_1215_;
+                                                            if (_e1144.member < _e1144.member_1) {
+                                                                phi_1216_ = type_8((_e1144.member + 1u), _e1144.member_1);
+                                                                phi_1239_ = type_8(1u, _e1144.member);
                                                             } else {
-                                                                phi_1217_ = _e1165;
-                                                                phi_1240_ = type_8(0u, type_8().member_1);
+                                                                phi_1216_ = _e1144;
+                                                                phi_1239_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1178 = phi_1217_;
-                                                            let _e1180 = phi_1240_;
-                                                            let _e1184 = (bitcast<i32>(_e1180.member) != 0i);
-                                                            if _e1184 {
-                                                                let _e1185 = (_e1180.member_1 < 3u);
-                                                                if _e1185 {
+                                                            let _e1157 = phi_1216_;
+                                                            let _e1159 = phi_1239_;
+                                                            let _e1163 = (bitcast<i32>(_e1159.member) != 0i);
+                                                            if _e1163 {
+                                                                let _e1164 = (_e1159.member_1 < 3u);
+                                                                if _e1164 {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1187 = local_10[_e1180.member_1];
-                                                                if (_e1180.member_1 < 4u) {
+                                                                let _e1166 = local_10[_e1159.member_1];
+                                                                if (_e1159.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1190 = local_12[_e1180.member_1];
-                                                                switch bitcast<i32>(_e1105) {
+                                                                let _e1169 = local_12[_e1159.member_1];
+                                                                switch bitcast<i32>(_e1084) {
                                                                     case 0: {
-                                                                        phi_1310_ = (_e1190 + (f32(((_e1157 >> bitcast<u32>(((10u * _e1187) & 31u))) & 1023u)) * _e144));
+                                                                        phi_1309_ = (_e1169 + (f32(((_e1136 >> bitcast<u32>(((10u * _e1166) & 31u))) & 1023u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1187 == 0u) {
-                                                                            phi_1287_ = _e1157;
+                                                                        if (_e1166 == 0u) {
+                                                                            phi_1286_ = _e1136;
                                                                         } else {
-                                                                            if (_e1187 == 1u) {
-                                                                                phi_1286_ = ((_e1157 >> bitcast<u32>(21i)) | (_e1163 << bitcast<u32>(11i)));
+                                                                            if (_e1166 == 1u) {
+                                                                                phi_1285_ = ((_e1136 >> bitcast<u32>(21i)) | (_e1142 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1286_ = (_e1163 >> bitcast<u32>(10i));
+                                                                                phi_1285_ = (_e1142 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1211 = phi_1286_;
-                                                                            phi_1287_ = _e1211;
+                                                                            let _e1190 = phi_1285_;
+                                                                            phi_1286_ = _e1190;
                                                                         }
-                                                                        let _e1213 = phi_1287_;
-                                                                        phi_1310_ = (_e1190 + (f32((_e1213 & 2097151u)) * _e144));
+                                                                        let _e1192 = phi_1286_;
+                                                                        phi_1309_ = (_e1169 + (f32((_e1192 & 2097151u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1192 = (_e1152 + _e1187);
-                                                                        let _e1193 = (_e1192 < _e96);
-                                                                        if _e1193 {
-                                                                            if _e1193 {
+                                                                        let _e1171 = (_e1131 + _e1166);
+                                                                        let _e1172 = (_e1171 < _e96);
+                                                                        if _e1172 {
+                                                                            if _e1172 {
                                                                             } else {
-                                                                                phi_3532_ = true;
+                                                                                phi_3389_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1195 = global_6.member[_e1192];
-                                                                            phi_1306_ = _e1195;
+                                                                            let _e1174 = global_6.member[_e1171];
+                                                                            phi_1305_ = _e1174;
                                                                         } else {
-                                                                            phi_1306_ = 0u;
+                                                                            phi_1305_ = 0u;
                                                                         }
-                                                                        let _e1197 = phi_1306_;
-                                                                        phi_1310_ = (f32(bitcast<i32>(_e1197)) * _e144);
+                                                                        let _e1176 = phi_1305_;
+                                                                        phi_1309_ = (f32(bitcast<i32>(_e1176)) * _e144);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1310_ = f32();
+                                                                        phi_1309_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1227 = phi_1310_;
-                                                                if (_e1146.member_1 < 3u) {
+                                                                let _e1206 = phi_1309_;
+                                                                if (_e1125.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1185 {
+                                                                if _e1164 {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                local_11[_e1146.member_1][_e1180.member_1] = _e1227;
+                                                                local_11[_e1125.member_1][_e1159.member_1] = _e1206;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1216_ = _e1178;
-                                                                phi_3532_ = _e1129;
-                                                                break if !(_e1184);
+                                                                phi_1215_ = _e1157;
+                                                                phi_3389_ = _e1108;
+                                                                break if !(_e1163);
                                                             }
                                                         }
-                                                        let _e1233 = phi_3532_;
-                                                        phi_3610_ = _e1233;
-                                                        if _e1233 {
+                                                        let _e1212 = phi_3389_;
+                                                        phi_3467_ = _e1212;
+                                                        if _e1212 {
                                                             break;
                                                         }
-                                                        phi_3611_ = _e1233;
+                                                        phi_3468_ = _e1212;
                                                     } else {
-                                                        phi_3611_ = _e1129;
+                                                        phi_3468_ = _e1108;
                                                     }
-                                                    let _e1235 = phi_3611_;
+                                                    let _e1214 = phi_3468_;
                                                     continue;
                                                     continuing {
-                                                        phi_3539_ = _e1235;
-                                                        phi_1151_ = _e1144;
-                                                        phi_3610_ = _e1235;
-                                                        break if !(_e1150);
+                                                        phi_3396_ = _e1214;
+                                                        phi_1150_ = _e1123;
+                                                        phi_3467_ = _e1214;
+                                                        break if !(_e1129);
                                                     }
                                                 }
-                                                let _e1238 = phi_3610_;
-                                                phi_3612_ = _e1238;
-                                                if _e1238 {
+                                                let _e1217 = phi_3467_;
+                                                phi_3469_ = _e1217;
+                                                if _e1217 {
                                                     break;
                                                 }
-                                                let _e1239 = local_11;
-                                                let _e1255 = (_e1239[0][2] - _e390);
-                                                let _e1258 = (((_e1239[0][0] - _e313) * _e414) - (_e1255 * _e338));
-                                                let _e1261 = (((_e1239[0][1] - _e352) * _e414) - (_e1255 * _e376));
-                                                let _e1264 = (_e1239[1][2] - _e390);
-                                                let _e1267 = (((_e1239[1][0] - _e313) * _e414) - (_e1264 * _e338));
-                                                let _e1270 = (((_e1239[1][1] - _e352) * _e414) - (_e1264 * _e376));
-                                                let _e1273 = (_e1239[2][2] - _e390);
-                                                let _e1276 = (((_e1239[2][0] - _e313) * _e414) - (_e1273 * _e338));
-                                                let _e1279 = (((_e1239[2][1] - _e352) * _e414) - (_e1273 * _e376));
-                                                let _e1280 = (_e1276 * _e1270);
-                                                let _e1281 = (_e1279 * _e1267);
-                                                let _e1282 = (_e1258 * _e1279);
-                                                let _e1283 = (_e1261 * _e1276);
-                                                let _e1284 = (_e1267 * _e1261);
-                                                let _e1285 = (_e1270 * _e1258);
-                                                let _e1290 = (((_e1280 >= _e1281) && (_e1282 >= _e1283)) && (_e1284 >= _e1285));
-                                                if (_e1290 || (((_e1280 <= _e1281) && (_e1282 <= _e1283)) && (_e1284 <= _e1285))) {
-                                                    let _e1297 = select(-1f, 1f, _e1290);
-                                                    let _e1299 = ((_e1280 - _e1281) * _e1297);
-                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
-                                                    let _e1303 = ((_e1282 - _e1283) * _e1297);
-                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
-                                                    let _e1307 = ((_e1284 - _e1285) * _e1297);
-                                                    let _e1309 = select(0f, _e1307, (_e1307 > 0f));
-                                                    let _e1311 = ((_e1301 + _e1305) + _e1309);
-                                                    if (_e1311 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1905_ = type_24();
-                                                        phi_1906_ = true;
+                                                let _e1218 = local_11;
+                                                let _e1234 = (_e1218[0][2] - _e390);
+                                                let _e1237 = (((_e1218[0][0] - _e313) * _e414) - (_e1234 * _e338));
+                                                let _e1240 = (((_e1218[0][1] - _e352) * _e414) - (_e1234 * _e376));
+                                                let _e1243 = (_e1218[1][2] - _e390);
+                                                let _e1246 = (((_e1218[1][0] - _e313) * _e414) - (_e1243 * _e338));
+                                                let _e1249 = (((_e1218[1][1] - _e352) * _e414) - (_e1243 * _e376));
+                                                let _e1252 = (_e1218[2][2] - _e390);
+                                                let _e1255 = (((_e1218[2][0] - _e313) * _e414) - (_e1252 * _e338));
+                                                let _e1258 = (((_e1218[2][1] - _e352) * _e414) - (_e1252 * _e376));
+                                                let _e1259 = (_e1255 * _e1249);
+                                                let _e1260 = (_e1258 * _e1246);
+                                                let _e1261 = (_e1237 * _e1258);
+                                                let _e1262 = (_e1240 * _e1255);
+                                                let _e1263 = (_e1246 * _e1240);
+                                                let _e1264 = (_e1249 * _e1237);
+                                                let _e1269 = (((_e1259 >= _e1260) && (_e1261 >= _e1262)) && (_e1263 >= _e1264));
+                                                if (_e1269 || (((_e1259 <= _e1260) && (_e1261 <= _e1262)) && (_e1263 <= _e1264))) {
+                                                    let _e1276 = select(-1f, 1f, _e1269);
+                                                    let _e1278 = ((_e1259 - _e1260) * _e1276);
+                                                    let _e1280 = select(0f, _e1278, (_e1278 > 0f));
+                                                    let _e1282 = ((_e1261 - _e1262) * _e1276);
+                                                    let _e1284 = select(0f, _e1282, (_e1282 > 0f));
+                                                    let _e1286 = ((_e1263 - _e1264) * _e1276);
+                                                    let _e1288 = select(0f, _e1286, (_e1286 > 0f));
+                                                    let _e1290 = ((_e1280 + _e1284) + _e1288);
+                                                    if (_e1290 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1904_ = type_24();
+                                                        phi_1905_ = true;
                                                     } else {
-                                                        let _e1314 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] < _e1239[1][0]));
-                                                        let _e1318 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] > _e1239[1][0]));
-                                                        let _e1322 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] < _e1239[1][1]));
-                                                        let _e1326 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] > _e1239[1][1]));
-                                                        let _e1330 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] < _e1239[1][2]));
-                                                        let _e1334 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] > _e1239[1][2]));
-                                                        let _e1339 = ((select(_e1239[2][0], _e1314, (_e1314 < _e1239[2][0])) - _e336) * _e341);
-                                                        let _e1340 = ((select(_e1239[2][0], _e1318, (_e1318 > _e1239[2][0])) - _e337) * _e341);
-                                                        let _e1343 = ((select(_e1239[2][1], _e1322, (_e1322 < _e1239[2][1])) - _e374) * _e379);
-                                                        let _e1344 = ((select(_e1239[2][1], _e1326, (_e1326 > _e1239[2][1])) - _e375) * _e379);
-                                                        let _e1347 = ((select(_e1239[2][2], _e1330, (_e1330 < _e1239[2][2])) - _e412) * _e417);
-                                                        let _e1348 = ((select(_e1239[2][2], _e1334, (_e1334 > _e1239[2][2])) - _e413) * _e417);
-                                                        let _e1350 = select(_e1348, _e1347, (_e1347 < _e1348));
-                                                        let _e1352 = select(_e1348, _e1347, (_e1347 > _e1348));
-                                                        let _e1354 = select(_e1340, _e1339, (_e1339 < _e1340));
-                                                        let _e1356 = select(_e1344, _e1343, (_e1343 < _e1344));
-                                                        let _e1358 = select(_e1356, _e1354, (_e1354 > _e1356));
-                                                        let _e1360 = select(_e1350, _e1358, (_e1358 > _e1350));
-                                                        let _e1362 = select(_e1340, _e1339, (_e1339 > _e1340));
-                                                        let _e1364 = select(_e1344, _e1343, (_e1343 > _e1344));
-                                                        let _e1366 = select(_e1364, _e1362, (_e1362 < _e1364));
-                                                        let _e1368 = select(_e1352, _e1366, (_e1366 < _e1352));
-                                                        let _e1369 = -(_e1350);
-                                                        let _e1375 = select(_e464, _e1360, (_e1360 > _e464));
-                                                        if (_e1375 > (_e1368 + (select(_e1369, _e1352, (_e1352 > _e1369)) * 0.0000019073523f))) {
-                                                            phi_1900_ = type_24();
-                                                            phi_1901_ = true;
+                                                        let _e1293 = select(_e1218[1][0], _e1218[0][0], (_e1218[0][0] < _e1218[1][0]));
+                                                        let _e1297 = select(_e1218[1][0], _e1218[0][0], (_e1218[0][0] > _e1218[1][0]));
+                                                        let _e1301 = select(_e1218[1][1], _e1218[0][1], (_e1218[0][1] < _e1218[1][1]));
+                                                        let _e1305 = select(_e1218[1][1], _e1218[0][1], (_e1218[0][1] > _e1218[1][1]));
+                                                        let _e1309 = select(_e1218[1][2], _e1218[0][2], (_e1218[0][2] < _e1218[1][2]));
+                                                        let _e1313 = select(_e1218[1][2], _e1218[0][2], (_e1218[0][2] > _e1218[1][2]));
+                                                        let _e1318 = ((select(_e1218[2][0], _e1293, (_e1293 < _e1218[2][0])) - _e336) * _e341);
+                                                        let _e1319 = ((select(_e1218[2][0], _e1297, (_e1297 > _e1218[2][0])) - _e337) * _e341);
+                                                        let _e1322 = ((select(_e1218[2][1], _e1301, (_e1301 < _e1218[2][1])) - _e374) * _e379);
+                                                        let _e1323 = ((select(_e1218[2][1], _e1305, (_e1305 > _e1218[2][1])) - _e375) * _e379);
+                                                        let _e1326 = ((select(_e1218[2][2], _e1309, (_e1309 < _e1218[2][2])) - _e412) * _e417);
+                                                        let _e1327 = ((select(_e1218[2][2], _e1313, (_e1313 > _e1218[2][2])) - _e413) * _e417);
+                                                        let _e1329 = select(_e1327, _e1326, (_e1326 < _e1327));
+                                                        let _e1331 = select(_e1327, _e1326, (_e1326 > _e1327));
+                                                        let _e1333 = select(_e1319, _e1318, (_e1318 < _e1319));
+                                                        let _e1335 = select(_e1323, _e1322, (_e1322 < _e1323));
+                                                        let _e1337 = select(_e1335, _e1333, (_e1333 > _e1335));
+                                                        let _e1339 = select(_e1329, _e1337, (_e1337 > _e1329));
+                                                        let _e1341 = select(_e1319, _e1318, (_e1318 > _e1319));
+                                                        let _e1343 = select(_e1323, _e1322, (_e1322 > _e1323));
+                                                        let _e1345 = select(_e1343, _e1341, (_e1341 < _e1343));
+                                                        let _e1347 = select(_e1331, _e1345, (_e1345 < _e1331));
+                                                        let _e1348 = -(_e1329);
+                                                        let _e1354 = select(_e464, _e1339, (_e1339 > _e464));
+                                                        if (_e1354 > (_e1347 + (select(_e1348, _e1331, (_e1331 > _e1348)) * 0.0000019073523f))) {
+                                                            phi_1899_ = type_24();
+                                                            phi_1900_ = true;
                                                         } else {
-                                                            let _e1377 = (_e1375 > _e1039.member);
-                                                            if _e1377 {
-                                                                phi_1899_ = type_24();
+                                                            let _e1356 = (_e1354 > _e1018.member);
+                                                            if _e1356 {
+                                                                phi_1898_ = type_24();
                                                             } else {
-                                                                let _e1381 = (_e1239[1][0] - _e1239[0][0]);
-                                                                let _e1382 = (_e1239[1][1] - _e1239[0][1]);
-                                                                let _e1383 = (_e1239[1][2] - _e1239[0][2]);
-                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
-                                                                let _e1385 = (_e1239[2][0] - _e1239[1][0]);
-                                                                let _e1386 = (_e1239[2][1] - _e1239[1][1]);
-                                                                let _e1387 = (_e1239[2][2] - _e1239[1][2]);
-                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
-                                                                let _e1389 = (_e1239[0][0] - _e1239[2][0]);
-                                                                let _e1390 = (_e1239[0][1] - _e1239[2][1]);
-                                                                let _e1391 = (_e1239[0][2] - _e1239[2][2]);
-                                                                let _e1392 = vec3<f32>(_e1389, _e1390, _e1391);
-                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1398 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1400 = select(_e1398, _e1395, (_e1395 > _e1398));
-                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1360 = (_e1218[1][0] - _e1218[0][0]);
+                                                                let _e1361 = (_e1218[1][1] - _e1218[0][1]);
+                                                                let _e1362 = (_e1218[1][2] - _e1218[0][2]);
+                                                                let _e1363 = vec3<f32>(_e1360, _e1361, _e1362);
+                                                                let _e1364 = (_e1218[2][0] - _e1218[1][0]);
+                                                                let _e1365 = (_e1218[2][1] - _e1218[1][1]);
+                                                                let _e1366 = (_e1218[2][2] - _e1218[1][2]);
+                                                                let _e1367 = vec3<f32>(_e1364, _e1365, _e1366);
+                                                                let _e1368 = (_e1218[0][0] - _e1218[2][0]);
+                                                                let _e1369 = (_e1218[0][1] - _e1218[2][1]);
+                                                                let _e1370 = (_e1218[0][2] - _e1218[2][2]);
+                                                                let _e1371 = vec3<f32>(_e1368, _e1369, _e1370);
+                                                                let _e1374 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
+                                                                let _e1377 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
+                                                                let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                let _e1382 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
+                                                                let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                let _e1387 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
+                                                                let _e1390 = bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u));
+                                                                let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u));
+                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                                                                let _e1400 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
+                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
                                                                 let _e1405 = select(_e1403, _e1400, (_e1400 > _e1403));
-                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1413 = select(_e1411, _e1408, (_e1408 > _e1411));
-                                                                let _e1416 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
-                                                                let _e1418 = select(_e1416, _e1413, (_e1413 > _e1416));
-                                                                let _e1421 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                let _e1429 = bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u));
-                                                                let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
-                                                                let _e1433 = select(_e1418, _e1405, (_e1405 > _e1418));
-                                                                let _e1435 = select(_e1431, _e1433, (_e1433 > _e1431));
-                                                                if (_e1405 == _e1435) {
-                                                                    phi_1810_ = _e1388;
-                                                                    phi_1811_ = _e1392;
+                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1370) & 2147483647u));
+                                                                let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
+                                                                let _e1412 = select(_e1397, _e1384, (_e1384 > _e1397));
+                                                                let _e1414 = select(_e1410, _e1412, (_e1412 > _e1410));
+                                                                if (_e1384 == _e1414) {
+                                                                    phi_1809_ = _e1367;
+                                                                    phi_1810_ = _e1371;
                                                                 } else {
-                                                                    let _e1438 = vec3((_e1418 == _e1435));
-                                                                    phi_1810_ = select(_e1384, _e1392, _e1438);
-                                                                    phi_1811_ = select(_e1388, _e1384, _e1438);
+                                                                    let _e1417 = vec3((_e1397 == _e1414));
+                                                                    phi_1809_ = select(_e1363, _e1371, _e1417);
+                                                                    phi_1810_ = select(_e1367, _e1363, _e1417);
                                                                 }
-                                                                let _e1442 = phi_1810_;
-                                                                let _e1444 = phi_1811_;
-                                                                let _e1451 = ((_e1442.y * _e1444.z) - (_e1444.y * _e1442.z));
-                                                                let _e1456 = ((_e1442.z * _e1444.x) - (_e1444.z * _e1442.x));
-                                                                let _e1459 = ((_e1442.x * _e1444.y) - (_e1444.x * _e1442.y));
-                                                                if (_e1301 >= _e1305) {
-                                                                    phi_1842_ = select(true, false, (_e1301 >= _e1309));
+                                                                let _e1421 = phi_1809_;
+                                                                let _e1423 = phi_1810_;
+                                                                let _e1430 = ((_e1421.y * _e1423.z) - (_e1423.y * _e1421.z));
+                                                                let _e1435 = ((_e1421.z * _e1423.x) - (_e1423.z * _e1421.x));
+                                                                let _e1438 = ((_e1421.x * _e1423.y) - (_e1423.x * _e1421.y));
+                                                                if (_e1280 >= _e1284) {
+                                                                    phi_1841_ = select(true, false, (_e1280 >= _e1288));
                                                                 } else {
-                                                                    phi_1842_ = true;
+                                                                    phi_1841_ = true;
                                                                 }
-                                                                let _e1464 = phi_1842_;
-                                                                if _e1464 {
-                                                                    phi_1851_ = select(vec3<f32>(_e1239[2][0], _e1239[2][1], _e1239[2][2]), vec3<f32>(_e1239[1][0], _e1239[1][1], _e1239[1][2]), vec3((_e1305 >= _e1309)));
+                                                                let _e1443 = phi_1841_;
+                                                                if _e1443 {
+                                                                    phi_1850_ = select(vec3<f32>(_e1218[2][0], _e1218[2][1], _e1218[2][2]), vec3<f32>(_e1218[1][0], _e1218[1][1], _e1218[1][2]), vec3((_e1284 >= _e1288)));
                                                                 } else {
-                                                                    phi_1851_ = vec3<f32>(_e1239[0][0], _e1239[0][1], _e1239[0][2]);
+                                                                    phi_1850_ = vec3<f32>(_e1218[0][0], _e1218[0][1], _e1218[0][2]);
                                                                 }
-                                                                let _e1469 = phi_1851_;
-                                                                let _e1486 = ((((_e1451 * (_e1469.x - _e313)) + (_e1456 * (_e1469.y - _e352))) + (_e1459 * (_e1469.z - _e390))) / (((_e1451 * _e338) + (_e1456 * _e376)) + (_e1459 * _e414)));
-                                                                let _e1488 = select(_e1368, _e1486, (_e1486 < _e1368));
-                                                                let _e1490 = select(_e1360, _e1488, (_e1488 > _e1360));
-                                                                if (_e1490 >= _e464) {
-                                                                    let _e1492 = (_e1490 <= _e1039.member);
-                                                                    if _e1492 {
-                                                                        let _e1493 = (1f / _e1311);
-                                                                        phi_1891_ = type_24(_e1490, (_e1305 * _e1493), (_e1309 * _e1493), _e1099);
+                                                                let _e1448 = phi_1850_;
+                                                                let _e1465 = ((((_e1430 * (_e1448.x - _e313)) + (_e1435 * (_e1448.y - _e352))) + (_e1438 * (_e1448.z - _e390))) / (((_e1430 * _e338) + (_e1435 * _e376)) + (_e1438 * _e414)));
+                                                                let _e1467 = select(_e1347, _e1465, (_e1465 < _e1347));
+                                                                let _e1469 = select(_e1339, _e1467, (_e1467 > _e1339));
+                                                                if (_e1469 >= _e464) {
+                                                                    let _e1471 = (_e1469 <= _e1018.member);
+                                                                    if _e1471 {
+                                                                        let _e1472 = (1f / _e1290);
+                                                                        phi_1890_ = type_24(_e1469, (_e1284 * _e1472), (_e1288 * _e1472), _e1078);
                                                                     } else {
-                                                                        phi_1891_ = type_24();
+                                                                        phi_1890_ = type_24();
                                                                     }
-                                                                    let _e1498 = phi_1891_;
-                                                                    phi_1893_ = _e1498;
-                                                                    phi_1894_ = select(true, false, _e1492);
+                                                                    let _e1477 = phi_1890_;
+                                                                    phi_1892_ = _e1477;
+                                                                    phi_1893_ = select(true, false, _e1471);
                                                                 } else {
-                                                                    phi_1893_ = type_24();
-                                                                    phi_1894_ = true;
+                                                                    phi_1892_ = type_24();
+                                                                    phi_1893_ = true;
                                                                 }
-                                                                let _e1501 = phi_1893_;
-                                                                let _e1503 = phi_1894_;
-                                                                if _e1503 {
-                                                                    phi_1898_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1480 = phi_1892_;
+                                                                let _e1482 = phi_1893_;
+                                                                if _e1482 {
+                                                                    phi_1897_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1898_ = _e1501;
+                                                                    phi_1897_ = _e1480;
                                                                 }
-                                                                let _e1505 = phi_1898_;
-                                                                phi_1899_ = _e1505;
+                                                                let _e1484 = phi_1897_;
+                                                                phi_1898_ = _e1484;
                                                             }
-                                                            let _e1507 = phi_1899_;
-                                                            phi_1900_ = _e1507;
-                                                            phi_1901_ = _e1377;
+                                                            let _e1486 = phi_1898_;
+                                                            phi_1899_ = _e1486;
+                                                            phi_1900_ = _e1356;
                                                         }
-                                                        let _e1509 = phi_1900_;
-                                                        let _e1511 = phi_1901_;
-                                                        phi_1905_ = _e1509;
-                                                        phi_1906_ = _e1511;
+                                                        let _e1488 = phi_1899_;
+                                                        let _e1490 = phi_1900_;
+                                                        phi_1904_ = _e1488;
+                                                        phi_1905_ = _e1490;
                                                     }
-                                                    let _e1513 = phi_1905_;
-                                                    let _e1515 = phi_1906_;
-                                                    phi_1910_ = _e1513;
-                                                    phi_1911_ = _e1515;
+                                                    let _e1492 = phi_1904_;
+                                                    let _e1494 = phi_1905_;
+                                                    phi_1909_ = _e1492;
+                                                    phi_1910_ = _e1494;
                                                 } else {
-                                                    phi_1910_ = type_24();
-                                                    phi_1911_ = true;
+                                                    phi_1909_ = type_24();
+                                                    phi_1910_ = true;
                                                 }
-                                                let _e1517 = phi_1910_;
-                                                let _e1519 = phi_1911_;
-                                                if _e1519 {
-                                                    phi_1915_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1496 = phi_1909_;
+                                                let _e1498 = phi_1910_;
+                                                if _e1498 {
+                                                    phi_1914_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1915_ = _e1517;
+                                                    phi_1914_ = _e1496;
                                                 }
-                                                let _e1521 = phi_1915_;
-                                                if (_e1521.member_3 != 4294967295u) {
-                                                    if (_e1099 != 4294967295u) {
-                                                        phi_1926_ = type_38(_e1039.member, true);
+                                                let _e1500 = phi_1914_;
+                                                if (_e1500.member_3 != 4294967295u) {
+                                                    if (_e1078 != 4294967295u) {
+                                                        phi_1925_ = type_38(_e1018.member, true);
                                                     } else {
-                                                        phi_1926_ = _e1039;
+                                                        phi_1925_ = _e1018;
                                                     }
-                                                    let _e1529 = phi_1926_;
-                                                    phi_1927_ = _e1529;
+                                                    let _e1508 = phi_1925_;
+                                                    phi_1926_ = _e1508;
                                                 } else {
-                                                    phi_1927_ = _e1039;
+                                                    phi_1926_ = _e1018;
                                                 }
-                                                let _e1531 = phi_1927_;
-                                                phi_3613_ = _e1238;
-                                                phi_984_ = _e1531;
+                                                let _e1510 = phi_1926_;
+                                                phi_3470_ = _e1217;
+                                                phi_983_ = _e1510;
                                             } else {
-                                                phi_3613_ = _e1037;
-                                                phi_984_ = type_38();
+                                                phi_3470_ = _e1016;
+                                                phi_983_ = type_38();
                                             }
-                                            let _e1533 = phi_3613_;
-                                            let _e1535 = phi_984_;
+                                            let _e1512 = phi_3470_;
+                                            let _e1514 = phi_983_;
                                             continue;
                                             continuing {
-                                                phi_3554_ = _e1533;
-                                                phi_983_ = _e1535;
-                                                phi_986_ = _e1054;
-                                                phi_3612_ = _e1533;
-                                                break if !(_e1060);
+                                                phi_3411_ = _e1512;
+                                                phi_982_ = _e1514;
+                                                phi_985_ = _e1033;
+                                                phi_3469_ = _e1512;
+                                                break if !(_e1039);
                                             }
                                         }
-                                        let _e1538 = phi_3612_;
-                                        phi_3668_ = _e1538;
-                                        if _e1538 {
+                                        let _e1517 = phi_3469_;
+                                        phi_3525_ = _e1517;
+                                        if _e1517 {
                                             break;
                                         }
-                                        let _e1540 = local_13;
-                                        phi_3672_ = _e1538;
-                                        let _e1712 = local_15;
-                                        phi_3310_ = _e1712;
-                                        phi_3311_ = _e547;
-                                        phi_3312_ = false;
-                                        phi_3313_ = select(_e551, 0u, _e1540.member_1);
+                                        let _e1519 = local_13;
+                                        phi_3529_ = _e1517;
+                                        let _e1691 = local_15;
+                                        phi_3167_ = _e1691;
+                                        phi_3168_ = _e547;
+                                        phi_3169_ = false;
+                                        phi_3170_ = select(_e551, 0u, _e1519.member_1);
                                     } else {
                                         if (_e547.member_1 >= _e93) {
-                                            phi_2866_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2723_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e547.member_1 < _e93) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
                                             let _e564 = ((1u + _e264) % 4u);
                                             if (_e564 < 4u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
                                             let _e569 = global_3.member[_e547.member_1][_e564];
-                                            let _e571 = ((1u + _e263) % 4u);
-                                            if (_e571 < 4u) {
+                                            let _e571 = (_e569 >> bitcast<u32>(11u));
+                                            let _e573 = ((1u + _e263) % 4u);
+                                            if (_e573 < 4u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e576 = global_3.member[_e547.member_1][_e571];
-                                            let _e578 = ((1u + _e265) % 4u);
-                                            if (_e578 < 4u) {
+                                            let _e578 = global_3.member[_e547.member_1][_e573];
+                                            let _e580 = (_e578 >> bitcast<u32>(11u));
+                                            let _e582 = ((1u + _e265) % 4u);
+                                            if (_e582 < 4u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e583 = global_3.member[_e547.member_1][_e578];
-                                            let _e585 = ((_e264 + 1u) % 4u);
-                                            if (_e585 < 4u) {
-                                            } else {
-                                                phi_3668_ = true;
-                                                break;
-                                            }
-                                            let _e590 = global_3.member[_e547.member_1][_e585];
-                                            let _e592 = (_e590 >> bitcast<u32>(11u));
-                                            let _e594 = ((_e263 + 1u) % 4u);
-                                            if (_e594 < 4u) {
-                                            } else {
-                                                phi_3668_ = true;
-                                                break;
-                                            }
-                                            let _e599 = global_3.member[_e547.member_1][_e594];
-                                            let _e601 = (_e599 >> bitcast<u32>(11u));
-                                            let _e603 = ((_e265 + 1u) % 4u);
-                                            if (_e603 < 4u) {
-                                            } else {
-                                                phi_3668_ = true;
-                                                break;
-                                            }
-                                            let _e608 = global_3.member[_e547.member_1][_e603];
-                                            let _e610 = (_e608 >> bitcast<u32>(11u));
-                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.x - _e547.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.y - _e547.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.z - _e547.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e637 = select(_e144, _e633, (_e633 > _e144));
-                                            let _e639 = select(_e144, _e634, (_e634 > _e144));
-                                            let _e641 = select(_e144, _e635, (_e635 > _e144));
-                                            let _e666 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e637));
-                                            let _e671 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e674 = bitcast<f32>((_e666 & bitcast<u32>(_e671)));
-                                            let _e675 = bitcast<u32>((f32(bitcast<i32>((_e576 & 1023u))) * _e639));
-                                            let _e680 = (bitcast<i32>((_e576 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e683 = bitcast<f32>((_e675 & bitcast<u32>(_e680)));
-                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e583 & 1023u))) * _e641));
-                                            let _e689 = (bitcast<i32>((_e583 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e587 = global_3.member[_e547.member_1][_e582];
+                                            let _e589 = (_e587 >> bitcast<u32>(11u));
+                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.x - _e547.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e613 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.y - _e547.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.z - _e547.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e616 = select(_e144, _e612, (_e612 > _e144));
+                                            let _e618 = select(_e144, _e613, (_e613 > _e144));
+                                            let _e620 = select(_e144, _e614, (_e614 > _e144));
+                                            let _e645 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e616));
+                                            let _e650 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e653 = bitcast<f32>((_e645 & bitcast<u32>(_e650)));
+                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e618));
+                                            let _e659 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
+                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e620));
+                                            let _e668 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
+                                            let _e675 = bitcast<f32>((_e645 & bitcast<u32>(~(_e650))));
+                                            let _e679 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
+                                            let _e683 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
+                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e616));
+                                            let _e689 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                            let _e696 = bitcast<f32>((_e666 & bitcast<u32>(~(_e671))));
-                                            let _e700 = bitcast<f32>((_e675 & bitcast<u32>(~(_e680))));
-                                            let _e704 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                            let _e705 = bitcast<u32>((f32(bitcast<i32>((_e592 & 1023u))) * _e637));
-                                            let _e710 = (bitcast<i32>((_e592 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e713 = bitcast<f32>((_e705 & bitcast<u32>(_e710)));
-                                            let _e714 = bitcast<u32>((f32(bitcast<i32>((_e601 & 1023u))) * _e639));
-                                            let _e719 = (bitcast<i32>((_e601 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e722 = bitcast<f32>((_e714 & bitcast<u32>(_e719)));
-                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e610 & 1023u))) * _e641));
-                                            let _e728 = (bitcast<i32>((_e610 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
-                                            let _e735 = bitcast<f32>((_e705 & bitcast<u32>(~(_e710))));
-                                            let _e739 = bitcast<f32>((_e714 & bitcast<u32>(~(_e719))));
-                                            let _e743 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
-                                            let _e744 = (_e547.member.member.x + _e674);
-                                            let _e745 = (_e547.member.member.y + _e683);
-                                            let _e746 = (_e547.member.member.z + _e692);
-                                            let _e749 = (_e547.member.member_1.x - _e713);
-                                            let _e750 = (_e547.member.member_1.y - _e722);
-                                            let _e751 = (_e547.member.member_1.z - _e731);
-                                            let _e770 = (_e749 - _e744);
-                                            let _e771 = (_e750 - _e745);
-                                            let _e772 = (_e751 - _e746);
-                                            let _e774 = select(_e771, _e770, (_e770 > _e771));
-                                            let _e776 = select(_e772, _e774, (_e774 > _e772));
-                                            if (_e776 < (1024f * _e144)) {
-                                                phi_2567_ = 0u;
+                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e618));
+                                            let _e698 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
+                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e620));
+                                            let _e707 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
+                                            let _e714 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
+                                            let _e718 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
+                                            let _e722 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
+                                            let _e723 = (_e547.member.member.x + _e653);
+                                            let _e724 = (_e547.member.member.y + _e662);
+                                            let _e725 = (_e547.member.member.z + _e671);
+                                            let _e728 = (_e547.member.member_1.x - _e692);
+                                            let _e729 = (_e547.member.member_1.y - _e701);
+                                            let _e730 = (_e547.member.member_1.z - _e710);
+                                            let _e749 = (_e728 - _e723);
+                                            let _e750 = (_e729 - _e724);
+                                            let _e751 = (_e730 - _e725);
+                                            let _e753 = select(_e750, _e749, (_e749 > _e750));
+                                            let _e755 = select(_e751, _e753, (_e753 > _e751));
+                                            if (_e755 < (1024f * _e144)) {
+                                                phi_2424_ = 0u;
                                             } else {
-                                                phi_2567_ = select(2u, 1u, (_e776 < (2097152f * _e144)));
+                                                phi_2424_ = select(2u, 1u, (_e755 < (2097152f * _e144)));
                                             }
-                                            let _e783 = phi_2567_;
-                                            switch bitcast<i32>(_e783) {
+                                            let _e762 = phi_2424_;
+                                            switch bitcast<i32>(_e762) {
                                                 case 0: {
-                                                    phi_2573_ = 1u;
+                                                    phi_2430_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2573_ = 2u;
+                                                    phi_2430_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2573_ = 3u;
+                                                    phi_2430_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2573_ = u32();
+                                                    phi_2430_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e786 = phi_2573_;
-                                            let _e792 = global_3.member[_e547.member_1][0u];
-                                            let _e796 = global_3.member[_e547.member_1][1u];
-                                            let _e800 = global_3.member[_e547.member_1][2u];
-                                            let _e804 = global_3.member[_e547.member_1][3u];
-                                            let _e816 = (((_e796 >> bitcast<u32>(22i)) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e804 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e817 = (_e792 & 268435455u);
-                                            let _e818 = (_e816 & 268435455u);
-                                            let _e821 = ((_e792 >> bitcast<u32>(28u)) & 7u);
-                                            let _e829 = ((_e792 >> bitcast<u32>(31i)) | (((_e816 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e830 = (_e821 != 0u);
-                                            if (_e821 == 0u) {
-                                                phi_2828_ = _e817;
+                                            let _e765 = phi_2430_;
+                                            let _e771 = global_3.member[_e547.member_1][0u];
+                                            let _e775 = global_3.member[_e547.member_1][1u];
+                                            let _e779 = global_3.member[_e547.member_1][2u];
+                                            let _e783 = global_3.member[_e547.member_1][3u];
+                                            let _e795 = (((_e775 >> bitcast<u32>(22i)) | ((_e779 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e783 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e796 = (_e771 & 268435455u);
+                                            let _e797 = (_e795 & 268435455u);
+                                            let _e800 = ((_e771 >> bitcast<u32>(28u)) & 7u);
+                                            let _e808 = ((_e771 >> bitcast<u32>(31i)) | (((_e795 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e809 = (_e800 != 0u);
+                                            if (_e800 == 0u) {
+                                                phi_2685_ = _e796;
                                             } else {
-                                                if (_e821 == 7u) {
-                                                    phi_2827_ = 2147483648u;
+                                                if (_e800 == 7u) {
+                                                    phi_2684_ = 2147483648u;
                                                 } else {
-                                                    phi_2827_ = ((2147483648u | (_e821 << bitcast<u32>(28u))) | (_e818 & 268435455u));
+                                                    phi_2684_ = ((2147483648u | (_e800 << bitcast<u32>(28u))) | (_e797 & 268435455u));
                                                 }
-                                                let _e839 = phi_2827_;
-                                                phi_2828_ = _e839;
+                                                let _e818 = phi_2684_;
+                                                phi_2685_ = _e818;
                                             }
-                                            let _e841 = phi_2828_;
-                                            if _e830 {
-                                                let _e842 = (_e821 != 7u);
-                                                if _e842 {
-                                                    phi_2838_ = (_e818 + (_e821 * ((3u * _e786) + 1u)));
+                                            let _e820 = phi_2685_;
+                                            if _e809 {
+                                                let _e821 = (_e800 != 7u);
+                                                if _e821 {
+                                                    phi_2695_ = (_e797 + (_e800 * ((3u * _e765) + 1u)));
                                                 } else {
-                                                    phi_2838_ = u32();
+                                                    phi_2695_ = u32();
                                                 }
-                                                let _e846 = phi_2838_;
-                                                phi_2840_ = _e846;
-                                                phi_2841_ = select(true, false, _e842);
+                                                let _e825 = phi_2695_;
+                                                phi_2697_ = _e825;
+                                                phi_2698_ = select(true, false, _e821);
                                             } else {
-                                                phi_2840_ = u32();
-                                                phi_2841_ = true;
+                                                phi_2697_ = u32();
+                                                phi_2698_ = true;
                                             }
-                                            let _e849 = phi_2840_;
-                                            let _e851 = phi_2841_;
-                                            if (_e829 == 0u) {
-                                                phi_2862_ = (_e817 + select(0u, 1u, !(_e830)));
+                                            let _e828 = phi_2697_;
+                                            let _e830 = phi_2698_;
+                                            if (_e808 == 0u) {
+                                                phi_2719_ = (_e796 + select(0u, 1u, !(_e809)));
                                             } else {
-                                                if (_e829 == 7u) {
-                                                    phi_2861_ = 2147483648u;
+                                                if (_e808 == 7u) {
+                                                    phi_2718_ = 2147483648u;
                                                 } else {
-                                                    phi_2861_ = ((2147483648u | (_e829 << bitcast<u32>(28u))) | (select(_e849, _e818, _e851) & 268435455u));
+                                                    phi_2718_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (select(_e828, _e797, _e830) & 268435455u));
                                                 }
-                                                let _e864 = phi_2861_;
-                                                phi_2862_ = _e864;
+                                                let _e843 = phi_2718_;
+                                                phi_2719_ = _e843;
                                             }
-                                            let _e866 = phi_2862_;
-                                            phi_2866_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e744, (_e547.member.member.x + _e696), _e749, (_e547.member.member_1.x - _e735)), vec4<f32>(_e745, (_e547.member.member.y + _e700), _e750, (_e547.member.member_1.y - _e739)), vec4<f32>(_e746, (_e547.member.member.z + _e704), _e751, (_e547.member.member_1.z - _e743))), type_49(type_28((_e547.member.member + vec4<f32>(_e674, _e683, _e692, 0f)), (_e547.member.member_1 - vec4<f32>(_e713, _e722, _e731, 0f))), _e841), type_49(type_28((_e547.member.member + vec4<f32>(_e696, _e700, _e704, 0f)), (_e547.member.member_1 - vec4<f32>(_e735, _e739, _e743, 0f))), _e866));
+                                            let _e845 = phi_2719_;
+                                            phi_2723_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e723, (_e547.member.member.x + _e675), _e728, (_e547.member.member_1.x - _e714)), vec4<f32>(_e724, (_e547.member.member.y + _e679), _e729, (_e547.member.member_1.y - _e718)), vec4<f32>(_e725, (_e547.member.member.z + _e683), _e730, (_e547.member.member_1.z - _e722))), type_49(type_28((_e547.member.member + vec4<f32>(_e653, _e662, _e671, 0f)), (_e547.member.member_1 - vec4<f32>(_e692, _e701, _e710, 0f))), _e820), type_49(type_28((_e547.member.member + vec4<f32>(_e675, _e679, _e683, 0f)), (_e547.member.member_1 - vec4<f32>(_e714, _e718, _e722, 0f))), _e845));
                                         }
-                                        let _e871 = phi_2866_;
-                                        let _e883 = ((_e871.member[0].x - _e336) * _e341);
-                                        let _e884 = ((_e871.member[0].y - _e336) * _e341);
-                                        let _e885 = ((_e871.member[0].z - _e337) * _e341);
-                                        let _e886 = ((_e871.member[0].w - _e337) * _e341);
-                                        let _e896 = ((_e871.member[1].x - _e374) * _e379);
-                                        let _e897 = ((_e871.member[1].y - _e374) * _e379);
-                                        let _e898 = ((_e871.member[1].z - _e375) * _e379);
-                                        let _e899 = ((_e871.member[1].w - _e375) * _e379);
-                                        let _e909 = ((_e871.member[2].x - _e412) * _e417);
-                                        let _e910 = ((_e871.member[2].y - _e412) * _e417);
-                                        let _e911 = ((_e871.member[2].z - _e413) * _e417);
-                                        let _e912 = ((_e871.member[2].w - _e413) * _e417);
-                                        let _e914 = select(_e911, _e909, (_e909 < _e911));
-                                        let _e916 = select(_e912, _e910, (_e910 < _e912));
-                                        let _e918 = select(_e911, _e909, (_e909 > _e911));
-                                        let _e920 = select(_e912, _e910, (_e910 > _e912));
-                                        let _e922 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e924 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e926 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e928 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e930 = select(_e926, _e922, (_e922 > _e926));
-                                        let _e932 = select(_e928, _e924, (_e924 > _e928));
-                                        let _e934 = select(_e914, _e930, (_e930 > _e914));
-                                        let _e936 = select(_e916, _e932, (_e932 > _e916));
-                                        let _e938 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e940 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e942 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e944 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e946 = select(_e942, _e938, (_e938 < _e942));
-                                        let _e948 = select(_e944, _e940, (_e940 < _e944));
-                                        let _e953 = -(_e914);
-                                        let _e954 = -(_e916);
-                                        let _e961 = (select(_e918, _e946, (_e946 < _e918)) + (select(_e953, _e918, (_e918 > _e953)) * 0.0000019073523f));
-                                        let _e962 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e954, _e920, (_e920 > _e954)) * 0.0000019073523f));
-                                        let _e964 = select(_e464, _e934, (_e934 > _e464));
-                                        let _e966 = select(_e464, _e936, (_e936 > _e464));
-                                        let _e971 = (_e964 <= select(_e508.member, _e961, (_e961 < _e508.member)));
-                                        let _e972 = (_e966 <= select(_e508.member, _e962, (_e962 < _e508.member)));
-                                        let _e973 = (_e964 <= _e966);
-                                        if _e971 {
-                                            if _e972 {
-                                                if _e973 {
-                                                    phi_3210_ = _e871.member_2;
+                                        let _e850 = phi_2723_;
+                                        let _e862 = ((_e850.member[0].x - _e336) * _e341);
+                                        let _e863 = ((_e850.member[0].y - _e336) * _e341);
+                                        let _e864 = ((_e850.member[0].z - _e337) * _e341);
+                                        let _e865 = ((_e850.member[0].w - _e337) * _e341);
+                                        let _e875 = ((_e850.member[1].x - _e374) * _e379);
+                                        let _e876 = ((_e850.member[1].y - _e374) * _e379);
+                                        let _e877 = ((_e850.member[1].z - _e375) * _e379);
+                                        let _e878 = ((_e850.member[1].w - _e375) * _e379);
+                                        let _e888 = ((_e850.member[2].x - _e412) * _e417);
+                                        let _e889 = ((_e850.member[2].y - _e412) * _e417);
+                                        let _e890 = ((_e850.member[2].z - _e413) * _e417);
+                                        let _e891 = ((_e850.member[2].w - _e413) * _e417);
+                                        let _e893 = select(_e890, _e888, (_e888 < _e890));
+                                        let _e895 = select(_e891, _e889, (_e889 < _e891));
+                                        let _e897 = select(_e890, _e888, (_e888 > _e890));
+                                        let _e899 = select(_e891, _e889, (_e889 > _e891));
+                                        let _e901 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e903 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e905 = select(_e877, _e875, (_e875 < _e877));
+                                        let _e907 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e909 = select(_e905, _e901, (_e901 > _e905));
+                                        let _e911 = select(_e907, _e903, (_e903 > _e907));
+                                        let _e913 = select(_e893, _e909, (_e909 > _e893));
+                                        let _e915 = select(_e895, _e911, (_e911 > _e895));
+                                        let _e917 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e919 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e921 = select(_e877, _e875, (_e875 > _e877));
+                                        let _e923 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e925 = select(_e921, _e917, (_e917 < _e921));
+                                        let _e927 = select(_e923, _e919, (_e919 < _e923));
+                                        let _e932 = -(_e893);
+                                        let _e933 = -(_e895);
+                                        let _e940 = (select(_e897, _e925, (_e925 < _e897)) + (select(_e932, _e897, (_e897 > _e932)) * 0.0000019073523f));
+                                        let _e941 = (select(_e899, _e927, (_e927 < _e899)) + (select(_e933, _e899, (_e899 > _e933)) * 0.0000019073523f));
+                                        let _e943 = select(_e464, _e913, (_e913 > _e464));
+                                        let _e945 = select(_e464, _e915, (_e915 > _e464));
+                                        let _e950 = (_e943 <= select(_e508.member, _e940, (_e940 < _e508.member)));
+                                        let _e951 = (_e945 <= select(_e508.member, _e941, (_e941 < _e508.member)));
+                                        let _e952 = (_e943 <= _e945);
+                                        if _e950 {
+                                            if _e951 {
+                                                if _e952 {
+                                                    phi_3067_ = _e850.member_2;
                                                 } else {
-                                                    phi_3210_ = _e871.member_1;
+                                                    phi_3067_ = _e850.member_1;
                                                 }
-                                                let _e977 = phi_3210_;
-                                                let _e999 = (_e551 % 128u);
-                                                let _e1000 = (_e999 < 128u);
-                                                if _e1000 {
+                                                let _e956 = phi_3067_;
+                                                let _e978 = (_e551 % 128u);
+                                                let _e979 = (_e978 < 128u);
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_8[_e999] = _e977.member_1;
-                                                if _e1000 {
+                                                local_8[_e978] = _e956.member_1;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_7[_e999] = _e977.member.member.x;
-                                                if _e1000 {
+                                                local_7[_e978] = _e956.member.member.x;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_6[_e999] = _e977.member.member.y;
-                                                if _e1000 {
+                                                local_6[_e978] = _e956.member.member.y;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_5[_e999] = _e977.member.member.z;
-                                                if _e1000 {
+                                                local_5[_e978] = _e956.member.member.z;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_4[_e999] = _e977.member.member_1.x;
-                                                if _e1000 {
+                                                local_4[_e978] = _e956.member.member_1.x;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_3[_e999] = _e977.member.member_1.y;
-                                                if _e1000 {
+                                                local_3[_e978] = _e956.member.member_1.y;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_2[_e999] = _e977.member.member_1.z;
-                                                if _e1000 {
+                                                local_2[_e978] = _e956.member.member_1.z;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_9[_e999] = select(_e966, _e964, (_e964 > _e966));
-                                                if _e973 {
-                                                    phi_3287_ = _e871.member_1;
+                                                local_9[_e978] = select(_e945, _e943, (_e943 > _e945));
+                                                if _e952 {
+                                                    phi_3144_ = _e850.member_1;
                                                 } else {
-                                                    phi_3287_ = _e871.member_2;
+                                                    phi_3144_ = _e850.member_2;
                                                 }
-                                                let _e1013 = phi_3287_;
-                                                phi_3288_ = _e1013;
-                                                phi_3289_ = (_e551 + 1u);
+                                                let _e992 = phi_3144_;
+                                                phi_3145_ = _e992;
+                                                phi_3146_ = (_e551 + 1u);
                                             } else {
-                                                phi_3288_ = type_49();
-                                                phi_3289_ = u32();
+                                                phi_3145_ = type_49();
+                                                phi_3146_ = u32();
                                             }
-                                            let _e1015 = phi_3288_;
-                                            let _e1017 = phi_3289_;
-                                            phi_3291_ = _e1015;
-                                            phi_3292_ = _e1017;
-                                            phi_3293_ = select(true, false, _e972);
+                                            let _e994 = phi_3145_;
+                                            let _e996 = phi_3146_;
+                                            phi_3148_ = _e994;
+                                            phi_3149_ = _e996;
+                                            phi_3150_ = select(true, false, _e951);
                                         } else {
-                                            phi_3291_ = type_49();
-                                            phi_3292_ = u32();
-                                            phi_3293_ = true;
+                                            phi_3148_ = type_49();
+                                            phi_3149_ = u32();
+                                            phi_3150_ = true;
                                         }
-                                        let _e1020 = phi_3291_;
-                                        let _e1022 = phi_3292_;
-                                        let _e1024 = phi_3293_;
-                                        if _e1024 {
-                                            if _e971 {
-                                                phi_3302_ = _e871.member_1;
+                                        let _e999 = phi_3148_;
+                                        let _e1001 = phi_3149_;
+                                        let _e1003 = phi_3150_;
+                                        if _e1003 {
+                                            if _e950 {
+                                                phi_3159_ = _e850.member_1;
                                             } else {
-                                                phi_3302_ = _e871.member_2;
+                                                phi_3159_ = _e850.member_2;
                                             }
-                                            let _e1028 = phi_3302_;
-                                            phi_3307_ = _e1028;
-                                            phi_3308_ = select(_e972, true, _e971);
+                                            let _e1007 = phi_3159_;
+                                            phi_3164_ = _e1007;
+                                            phi_3165_ = select(_e951, true, _e950);
                                         } else {
-                                            phi_3307_ = _e1020;
-                                            phi_3308_ = _e549;
+                                            phi_3164_ = _e999;
+                                            phi_3165_ = _e549;
                                         }
-                                        let _e1031 = phi_3307_;
-                                        let _e1033 = phi_3308_;
-                                        phi_3672_ = _e506;
-                                        phi_3310_ = _e508;
-                                        phi_3311_ = _e1031;
-                                        phi_3312_ = _e1033;
-                                        phi_3313_ = select(_e1022, _e551, _e1024);
+                                        let _e1010 = phi_3164_;
+                                        let _e1012 = phi_3165_;
+                                        phi_3529_ = _e506;
+                                        phi_3167_ = _e508;
+                                        phi_3168_ = _e1010;
+                                        phi_3169_ = _e1012;
+                                        phi_3170_ = select(_e1001, _e551, _e1003);
                                     }
-                                    let _e1544 = phi_3672_;
-                                    let _e1546 = phi_3310_;
-                                    let _e1548 = phi_3311_;
-                                    let _e1550 = phi_3312_;
-                                    let _e1552 = phi_3313_;
-                                    phi_3671_ = _e1544;
-                                    phi_3314_ = _e1546;
-                                    phi_3315_ = _e1548;
-                                    phi_3316_ = (_e512 - 1u);
-                                    phi_3317_ = _e1550;
-                                    phi_3318_ = _e1552;
+                                    let _e1523 = phi_3529_;
+                                    let _e1525 = phi_3167_;
+                                    let _e1527 = phi_3168_;
+                                    let _e1529 = phi_3169_;
+                                    let _e1531 = phi_3170_;
+                                    phi_3528_ = _e1523;
+                                    phi_3171_ = _e1525;
+                                    phi_3172_ = _e1527;
+                                    phi_3173_ = (_e512 - 1u);
+                                    phi_3174_ = _e1529;
+                                    phi_3175_ = _e1531;
                                 } else {
-                                    phi_3671_ = _e506;
-                                    phi_3314_ = _e508;
-                                    phi_3315_ = _e547;
-                                    phi_3316_ = _e512;
-                                    phi_3317_ = _e549;
-                                    phi_3318_ = _e551;
+                                    phi_3528_ = _e506;
+                                    phi_3171_ = _e508;
+                                    phi_3172_ = _e547;
+                                    phi_3173_ = _e512;
+                                    phi_3174_ = _e549;
+                                    phi_3175_ = _e551;
                                 }
-                                let _e1554 = phi_3671_;
-                                let _e1556 = phi_3314_;
-                                let _e1558 = phi_3315_;
-                                let _e1560 = phi_3316_;
-                                let _e1562 = phi_3317_;
-                                let _e1564 = phi_3318_;
-                                phi_3670_ = _e1554;
-                                phi_3319_ = _e1556;
-                                phi_3320_ = _e1558;
-                                phi_3321_ = _e1560;
-                                phi_3322_ = _e1562;
-                                phi_3323_ = _e1564;
+                                let _e1533 = phi_3528_;
+                                let _e1535 = phi_3171_;
+                                let _e1537 = phi_3172_;
+                                let _e1539 = phi_3173_;
+                                let _e1541 = phi_3174_;
+                                let _e1543 = phi_3175_;
+                                phi_3527_ = _e1533;
+                                phi_3176_ = _e1535;
+                                phi_3177_ = _e1537;
+                                phi_3178_ = _e1539;
+                                phi_3179_ = _e1541;
+                                phi_3180_ = _e1543;
                             } else {
-                                phi_3670_ = _e506;
-                                phi_3319_ = type_38();
-                                phi_3320_ = type_49();
-                                phi_3321_ = u32();
-                                phi_3322_ = bool();
-                                phi_3323_ = u32();
+                                phi_3527_ = _e506;
+                                phi_3176_ = type_38();
+                                phi_3177_ = type_49();
+                                phi_3178_ = u32();
+                                phi_3179_ = bool();
+                                phi_3180_ = u32();
                             }
-                            let _e1566 = phi_3670_;
-                            let _e1568 = phi_3319_;
-                            let _e1570 = phi_3320_;
-                            let _e1572 = phi_3321_;
-                            let _e1574 = phi_3322_;
-                            let _e1576 = phi_3323_;
-                            phi_3669_ = _e1566;
-                            phi_857_ = _e1568;
-                            phi_860_ = _e1570;
-                            phi_862_ = _e1572;
-                            phi_864_ = _e1574;
-                            phi_866_ = _e1576;
-                            phi_3324_ = _e520;
+                            let _e1545 = phi_3527_;
+                            let _e1547 = phi_3176_;
+                            let _e1549 = phi_3177_;
+                            let _e1551 = phi_3178_;
+                            let _e1553 = phi_3179_;
+                            let _e1555 = phi_3180_;
+                            phi_3526_ = _e1545;
+                            phi_856_ = _e1547;
+                            phi_859_ = _e1549;
+                            phi_861_ = _e1551;
+                            phi_863_ = _e1553;
+                            phi_865_ = _e1555;
+                            phi_3181_ = _e520;
                         } else {
-                            phi_3669_ = _e506;
-                            phi_857_ = type_38();
-                            phi_860_ = type_49();
-                            phi_862_ = u32();
-                            phi_864_ = bool();
-                            phi_866_ = u32();
-                            phi_3324_ = false;
+                            phi_3526_ = _e506;
+                            phi_856_ = type_38();
+                            phi_859_ = type_49();
+                            phi_861_ = u32();
+                            phi_863_ = bool();
+                            phi_865_ = u32();
+                            phi_3181_ = false;
                         }
-                        let _e1578 = phi_3669_;
-                        let _e1580 = phi_857_;
-                        let _e1582 = phi_860_;
-                        let _e1584 = phi_862_;
-                        let _e1586 = phi_864_;
-                        let _e1588 = phi_866_;
-                        let _e1590 = phi_3324_;
+                        let _e1557 = phi_3526_;
+                        let _e1559 = phi_856_;
+                        let _e1561 = phi_859_;
+                        let _e1563 = phi_861_;
+                        let _e1565 = phi_863_;
+                        let _e1567 = phi_865_;
+                        let _e1569 = phi_3181_;
                         continue;
                         continuing {
-                            phi_3557_ = _e1578;
-                            phi_856_ = _e1580;
-                            phi_859_ = _e1582;
-                            phi_861_ = _e1584;
-                            phi_863_ = _e1586;
-                            phi_865_ = _e1588;
-                            phi_3668_ = _e1578;
-                            break if !(_e1590);
+                            phi_3414_ = _e1557;
+                            phi_855_ = _e1559;
+                            phi_858_ = _e1561;
+                            phi_860_ = _e1563;
+                            phi_862_ = _e1565;
+                            phi_864_ = _e1567;
+                            phi_3525_ = _e1557;
+                            break if !(_e1569);
                         }
                     }
-                    let _e1593 = phi_3668_;
-                    if _e1593 {
+                    let _e1572 = phi_3525_;
+                    if _e1572 {
                         break;
                     }
-                    let _e1595 = local_14;
+                    let _e1574 = local_14;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_5.member[_e150] = select(0u, 1u, _e1595.member_1);
+                    global_5.member[_e150] = select(0u, 1u, _e1574.member_1);
                 }
             }
             break;

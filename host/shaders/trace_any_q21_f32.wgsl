@@ -52,7 +52,7 @@ struct type_40 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
+struct type_44 {
     member: array<array<u32, 7>>,
 }
 
@@ -79,7 +79,7 @@ var<storage> global_4: type_36;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_4;
 @group(0) @binding(2) 
-var<storage> global_6: type_47;
+var<storage> global_6: type_44;
 
 fn function_() {
     var local: array<i32, 3>;
@@ -92,115 +92,115 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_362_: i32;
-    var phi_363_: i32;
-    var phi_373_: bool;
-    var phi_383_: u32;
-    var phi_384_: u32;
-    var phi_386_: bool;
-    var phi_391_: u32;
-    var phi_404_: i32;
-    var phi_424_: i32;
-    var phi_442_: f32;
-    var phi_448_: f32;
-    var phi_459_: f32;
-    var phi_465_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_508_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_531_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
-    var phi_597_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_731_: f32;
-    var phi_732_: f32;
-    var phi_3258_: bool;
-    var phi_821_: type_38;
-    var phi_824_: type_49;
-    var phi_826_: u32;
-    var phi_828_: bool;
-    var phi_830_: u32;
-    var phi_841_: bool;
-    var phi_927_: type_49;
-    var phi_928_: bool;
-    var phi_929_: u32;
-    var phi_2536_: u32;
-    var phi_2537_: u32;
-    var phi_2547_: u32;
-    var phi_2549_: u32;
-    var phi_2550_: bool;
-    var phi_2570_: u32;
-    var phi_2571_: u32;
-    var phi_2575_: type_50;
-    var phi_2919_: type_49;
-    var phi_2996_: type_49;
-    var phi_2997_: type_49;
-    var phi_2998_: u32;
-    var phi_3000_: type_49;
-    var phi_3001_: u32;
-    var phi_3002_: bool;
-    var phi_3011_: type_49;
-    var phi_3016_: type_49;
-    var phi_3017_: bool;
-    var phi_947_: type_38;
-    var phi_950_: type_7;
-    var phi_951_: type_7;
-    var phi_973_: type_7;
-    var phi_994_: u32;
-    var phi_1083_: array<array<f32, 3>, 3>;
-    var phi_1554_: vec3<f32>;
-    var phi_1555_: vec3<f32>;
-    var phi_1586_: bool;
-    var phi_1595_: vec3<f32>;
-    var phi_1635_: type_24;
+    var phi_358_: i32;
+    var phi_359_: i32;
+    var phi_369_: bool;
+    var phi_379_: u32;
+    var phi_380_: u32;
+    var phi_382_: bool;
+    var phi_387_: u32;
+    var phi_399_: i32;
+    var phi_419_: i32;
+    var phi_437_: f32;
+    var phi_443_: f32;
+    var phi_454_: f32;
+    var phi_460_: f32;
+    var phi_483_: f32;
+    var phi_494_: f32;
+    var phi_503_: f32;
+    var phi_509_: f32;
+    var phi_520_: f32;
+    var phi_526_: f32;
+    var phi_549_: f32;
+    var phi_560_: f32;
+    var phi_569_: f32;
+    var phi_575_: f32;
+    var phi_586_: f32;
+    var phi_592_: f32;
+    var phi_615_: f32;
+    var phi_626_: f32;
+    var phi_726_: f32;
+    var phi_727_: f32;
+    var phi_3111_: bool;
+    var phi_816_: type_38;
+    var phi_819_: type_49;
+    var phi_821_: u32;
+    var phi_823_: bool;
+    var phi_825_: u32;
+    var phi_836_: bool;
+    var phi_922_: type_49;
+    var phi_923_: bool;
+    var phi_924_: u32;
+    var phi_2389_: u32;
+    var phi_2390_: u32;
+    var phi_2400_: u32;
+    var phi_2402_: u32;
+    var phi_2403_: bool;
+    var phi_2423_: u32;
+    var phi_2424_: u32;
+    var phi_2428_: type_50;
+    var phi_2772_: type_49;
+    var phi_2849_: type_49;
+    var phi_2850_: type_49;
+    var phi_2851_: u32;
+    var phi_2853_: type_49;
+    var phi_2854_: u32;
+    var phi_2855_: bool;
+    var phi_2864_: type_49;
+    var phi_2869_: type_49;
+    var phi_2870_: bool;
+    var phi_942_: type_38;
+    var phi_945_: type_7;
+    var phi_946_: type_7;
+    var phi_968_: type_7;
+    var phi_989_: u32;
+    var phi_1078_: array<array<f32, 3>, 3>;
+    var phi_1549_: vec3<f32>;
+    var phi_1550_: vec3<f32>;
+    var phi_1581_: bool;
+    var phi_1590_: vec3<f32>;
+    var phi_1630_: type_24;
+    var phi_1632_: type_24;
+    var phi_1633_: bool;
     var phi_1637_: type_24;
-    var phi_1638_: bool;
-    var phi_1642_: type_24;
-    var phi_1643_: type_24;
+    var phi_1638_: type_24;
+    var phi_1639_: type_24;
+    var phi_1640_: bool;
     var phi_1644_: type_24;
     var phi_1645_: bool;
     var phi_1649_: type_24;
     var phi_1650_: bool;
     var phi_1654_: type_24;
-    var phi_1655_: bool;
-    var phi_1659_: type_24;
-    var phi_1670_: type_38;
-    var phi_1671_: type_38;
-    var phi_948_: type_38;
-    var phi_3252_: bool;
+    var phi_1665_: type_38;
+    var phi_1666_: type_38;
+    var phi_943_: type_38;
+    var phi_3105_: bool;
     var local_10: type_38;
-    var phi_3367_: bool;
-    var phi_3019_: type_38;
-    var phi_3020_: type_49;
-    var phi_3021_: bool;
-    var phi_3022_: u32;
-    var phi_3366_: bool;
-    var phi_3023_: type_38;
-    var phi_3024_: type_49;
-    var phi_3025_: u32;
-    var phi_3026_: bool;
-    var phi_3027_: u32;
-    var phi_3365_: bool;
-    var phi_3028_: type_38;
-    var phi_3029_: type_49;
-    var phi_3030_: u32;
-    var phi_3031_: bool;
-    var phi_3032_: u32;
-    var phi_3364_: bool;
-    var phi_822_: type_38;
-    var phi_825_: type_49;
-    var phi_827_: u32;
-    var phi_829_: bool;
-    var phi_831_: u32;
-    var phi_3033_: bool;
-    var phi_3363_: bool;
+    var phi_3220_: bool;
+    var phi_2872_: type_38;
+    var phi_2873_: type_49;
+    var phi_2874_: bool;
+    var phi_2875_: u32;
+    var phi_3219_: bool;
+    var phi_2876_: type_38;
+    var phi_2877_: type_49;
+    var phi_2878_: u32;
+    var phi_2879_: bool;
+    var phi_2880_: u32;
+    var phi_3218_: bool;
+    var phi_2881_: type_38;
+    var phi_2882_: type_49;
+    var phi_2883_: u32;
+    var phi_2884_: bool;
+    var phi_2885_: u32;
+    var phi_3217_: bool;
+    var phi_817_: type_38;
+    var phi_820_: type_49;
+    var phi_822_: u32;
+    var phi_824_: bool;
+    var phi_826_: u32;
+    var phi_2886_: bool;
+    var phi_3216_: bool;
     var local_11: type_38;
     var local_12: type_38;
 
@@ -254,199 +254,199 @@ fn function_() {
                     if _e215 {
                         let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
                         if (_e218 >= 8388608u) {
-                            phi_362_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                            phi_358_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_362_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_358_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e232 = phi_362_;
-                        phi_363_ = _e232;
+                        let _e232 = phi_358_;
+                        phi_359_ = _e232;
                     } else {
-                        phi_363_ = 0i;
+                        phi_359_ = 0i;
                     }
-                    let _e234 = phi_363_;
+                    let _e234 = phi_359_;
                     let _e235 = (_e151 == _e190);
                     if _e235 {
-                        phi_373_ = true;
+                        phi_369_ = true;
                     } else {
-                        phi_373_ = (_e158 == _e190);
+                        phi_369_ = (_e158 == _e190);
                     }
-                    let _e238 = phi_373_;
+                    let _e238 = phi_369_;
                     let _e239 = select(1u, 0u, _e235);
                     if _e238 {
                         let _e240 = (_e239 + 1u);
-                        phi_383_ = _e240;
-                        phi_384_ = _e240;
-                        phi_386_ = select(true, false, (_e240 == 2u));
+                        phi_379_ = _e240;
+                        phi_380_ = _e240;
+                        phi_382_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_383_ = u32();
-                        phi_384_ = 0u;
-                        phi_386_ = true;
+                        phi_379_ = u32();
+                        phi_380_ = 0u;
+                        phi_382_ = true;
                     }
-                    let _e244 = phi_383_;
-                    let _e246 = phi_384_;
-                    let _e248 = phi_386_;
+                    let _e244 = phi_379_;
+                    let _e246 = phi_380_;
+                    let _e248 = phi_382_;
                     if _e248 {
-                        phi_391_ = (_e246 + 1u);
+                        phi_387_ = (_e246 + 1u);
                     } else {
-                        phi_391_ = 0u;
+                        phi_387_ = 0u;
                     }
-                    let _e252 = phi_391_;
+                    let _e252 = phi_387_;
                     let _e253 = select(_e244, _e246, _e248);
                     let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
                     if (_e121 < -126i) {
-                        phi_404_ = -126i;
+                        phi_399_ = -126i;
                     } else {
-                        phi_404_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_399_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e259 = phi_404_;
+                    let _e259 = phi_399_;
                     let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
                     let _e270 = bitcast<f32>((bitcast<u32>(((_e121 - _e259) + 127i)) << bitcast<u32>(23i)));
                     let _e271 = -(_e234);
                     if (_e271 < -126i) {
-                        phi_424_ = -126i;
+                        phi_419_ = -126i;
                     } else {
-                        phi_424_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_419_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e276 = phi_424_;
+                    let _e276 = phi_419_;
                     let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
                     let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
                     let _e291 = global_4.member[_e139].member;
                     let _e292 = (_e253 == 0u);
                     if _e292 {
-                        phi_442_ = _e291[0];
+                        phi_437_ = _e291[0];
                     } else {
-                        phi_442_ = _e291[1];
+                        phi_437_ = _e291[1];
                     }
-                    let _e296 = phi_442_;
+                    let _e296 = phi_437_;
                     let _e297 = (_e253 == 2u);
                     if _e297 {
-                        phi_448_ = _e291[2];
+                        phi_443_ = _e291[2];
                     } else {
-                        phi_448_ = _e296;
+                        phi_443_ = _e296;
                     }
-                    let _e300 = phi_448_;
+                    let _e300 = phi_443_;
                     let _e302 = ((_e300 * _e264) * _e270);
                     let _e303 = global_4.member[_e139].member_2;
                     if _e292 {
-                        phi_459_ = _e303[0];
+                        phi_454_ = _e303[0];
                     } else {
-                        phi_459_ = _e303[1];
+                        phi_454_ = _e303[1];
                     }
-                    let _e307 = phi_459_;
+                    let _e307 = phi_454_;
                     if _e297 {
-                        phi_465_ = _e303[2];
+                        phi_460_ = _e303[2];
                     } else {
-                        phi_465_ = _e307;
+                        phi_460_ = _e307;
                     }
-                    let _e310 = phi_465_;
+                    let _e310 = phi_460_;
                     let _e312 = ((_e310 * _e281) * _e287);
                     let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e316 {
                         let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_488_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                        phi_483_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
                     } else {
-                        phi_488_ = 0f;
+                        phi_483_ = 0f;
                     }
-                    let _e324 = phi_488_;
+                    let _e324 = phi_483_;
                     let _e325 = (_e302 + _e324);
                     let _e326 = (_e302 - _e324);
                     let _e327 = select(_e312, 0f, _e316);
                     if _e316 {
-                        phi_499_ = 38685626000000000000000000f;
+                        phi_494_ = 38685626000000000000000000f;
                     } else {
-                        phi_499_ = (1f / _e312);
+                        phi_494_ = (1f / _e312);
                     }
-                    let _e330 = phi_499_;
+                    let _e330 = phi_494_;
                     let _e331 = (_e252 == 0u);
                     if _e331 {
-                        phi_508_ = _e291[0];
+                        phi_503_ = _e291[0];
                     } else {
-                        phi_508_ = _e291[1];
+                        phi_503_ = _e291[1];
                     }
-                    let _e335 = phi_508_;
+                    let _e335 = phi_503_;
                     let _e336 = (_e252 == 2u);
                     if _e336 {
-                        phi_514_ = _e291[2];
+                        phi_509_ = _e291[2];
                     } else {
-                        phi_514_ = _e335;
+                        phi_509_ = _e335;
                     }
-                    let _e339 = phi_514_;
+                    let _e339 = phi_509_;
                     let _e341 = ((_e339 * _e264) * _e270);
                     if _e331 {
-                        phi_525_ = _e303[0];
+                        phi_520_ = _e303[0];
                     } else {
-                        phi_525_ = _e303[1];
+                        phi_520_ = _e303[1];
                     }
-                    let _e345 = phi_525_;
+                    let _e345 = phi_520_;
                     if _e336 {
-                        phi_531_ = _e303[2];
+                        phi_526_ = _e303[2];
                     } else {
-                        phi_531_ = _e345;
+                        phi_526_ = _e345;
                     }
-                    let _e348 = phi_531_;
+                    let _e348 = phi_526_;
                     let _e350 = ((_e348 * _e281) * _e287);
                     let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e354 {
                         let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_554_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                        phi_549_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                     } else {
-                        phi_554_ = 0f;
+                        phi_549_ = 0f;
                     }
-                    let _e362 = phi_554_;
+                    let _e362 = phi_549_;
                     let _e363 = (_e341 + _e362);
                     let _e364 = (_e341 - _e362);
                     let _e365 = select(_e350, 0f, _e354);
                     if _e354 {
-                        phi_565_ = 38685626000000000000000000f;
+                        phi_560_ = 38685626000000000000000000f;
                     } else {
-                        phi_565_ = (1f / _e350);
+                        phi_560_ = (1f / _e350);
                     }
-                    let _e368 = phi_565_;
+                    let _e368 = phi_560_;
                     let _e369 = (_e254 == 0u);
                     if _e369 {
-                        phi_574_ = _e291[0];
+                        phi_569_ = _e291[0];
                     } else {
-                        phi_574_ = _e291[1];
+                        phi_569_ = _e291[1];
                     }
-                    let _e373 = phi_574_;
+                    let _e373 = phi_569_;
                     let _e374 = (_e254 == 2u);
                     if _e374 {
-                        phi_580_ = _e291[2];
+                        phi_575_ = _e291[2];
                     } else {
-                        phi_580_ = _e373;
+                        phi_575_ = _e373;
                     }
-                    let _e377 = phi_580_;
+                    let _e377 = phi_575_;
                     let _e379 = ((_e377 * _e264) * _e270);
                     if _e369 {
-                        phi_591_ = _e303[0];
+                        phi_586_ = _e303[0];
                     } else {
-                        phi_591_ = _e303[1];
+                        phi_586_ = _e303[1];
                     }
-                    let _e383 = phi_591_;
+                    let _e383 = phi_586_;
                     if _e374 {
-                        phi_597_ = _e303[2];
+                        phi_592_ = _e303[2];
                     } else {
-                        phi_597_ = _e383;
+                        phi_592_ = _e383;
                     }
-                    let _e386 = phi_597_;
+                    let _e386 = phi_592_;
                     let _e388 = ((_e386 * _e281) * _e287);
                     let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e392 {
                         let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_620_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
+                        phi_615_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
                     } else {
-                        phi_620_ = 0f;
+                        phi_615_ = 0f;
                     }
-                    let _e400 = phi_620_;
+                    let _e400 = phi_615_;
                     let _e401 = (_e379 + _e400);
                     let _e402 = (_e379 - _e400);
                     let _e403 = select(_e388, 0f, _e392);
                     if _e392 {
-                        phi_631_ = 38685626000000000000000000f;
+                        phi_626_ = 38685626000000000000000000f;
                     } else {
-                        phi_631_ = (1f / _e388);
+                        phi_626_ = (1f / _e388);
                     }
-                    let _e406 = phi_631_;
+                    let _e406 = phi_626_;
                     let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
                     let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
                     let _e414 = select(_e412, _e409, (_e409 > _e412));
@@ -460,14 +460,14 @@ fn function_() {
                         let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
                         let _e445 = (((_e209 * _e430) * _e430) * _e437);
                         let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_731_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_732_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
+                        phi_726_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                        phi_727_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_731_ = 0f;
-                        phi_732_ = 1f;
+                        phi_726_ = 0f;
+                        phi_727_ = 1f;
                     }
-                    let _e451 = phi_731_;
-                    let _e453 = phi_732_;
+                    let _e451 = phi_726_;
+                    let _e453 = phi_727_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -512,769 +512,772 @@ fn function_() {
                         break;
                     }
                     let _e485 = local[_e469];
-                    phi_3258_ = false;
-                    phi_821_ = type_38(_e451, false);
-                    phi_824_ = type_49(type_28(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
-                    phi_826_ = ((3u * _e83) + 1u);
-                    phi_828_ = (_e453 <= _e451);
-                    phi_830_ = 0u;
+                    phi_3111_ = false;
+                    phi_816_ = type_38(_e451, false);
+                    phi_819_ = type_49(type_28(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
+                    phi_821_ = ((3u * _e83) + 1u);
+                    phi_823_ = (_e453 <= _e451);
+                    phi_825_ = 0u;
                     loop {
-                        let _e495 = phi_3258_;
-                        let _e497 = phi_821_;
-                        let _e499 = phi_824_;
-                        let _e501 = phi_826_;
-                        let _e503 = phi_828_;
-                        let _e505 = phi_830_;
+                        let _e495 = phi_3111_;
+                        let _e497 = phi_816_;
+                        let _e499 = phi_819_;
+                        let _e501 = phi_821_;
+                        let _e503 = phi_823_;
+                        let _e505 = phi_825_;
                         local_11 = _e497;
                         if _e503 {
-                            phi_841_ = true;
+                            phi_836_ = true;
                         } else {
-                            phi_841_ = (_e505 > 0u);
+                            phi_836_ = (_e505 > 0u);
                         }
-                        let _e508 = phi_841_;
+                        let _e508 = phi_836_;
                         if _e508 {
                             let _e509 = (_e501 > 0u);
                             if _e509 {
                                 if _e503 {
-                                    phi_927_ = _e499;
-                                    phi_928_ = _e503;
-                                    phi_929_ = _e505;
+                                    phi_922_ = _e499;
+                                    phi_923_ = _e503;
+                                    phi_924_ = _e505;
                                 } else {
                                     let _e510 = (_e505 - 1u);
                                     let _e511 = (_e510 % 128u);
                                     let _e512 = (_e511 < 128u);
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e514 = local_7[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e516 = local_6[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e518 = local_5[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e520 = local_4[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e522 = local_3[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e524 = local_2[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e529 = local_8[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3363_ = true;
+                                        phi_3216_ = true;
                                         break;
                                     }
                                     let _e532 = local_9[_e511];
-                                    phi_927_ = type_49(type_28(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
-                                    phi_928_ = (_e532 <= _e497.member);
-                                    phi_929_ = _e510;
+                                    phi_922_ = type_49(type_28(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
+                                    phi_923_ = (_e532 <= _e497.member);
+                                    phi_924_ = _e510;
                                 }
-                                let _e536 = phi_927_;
-                                let _e538 = phi_928_;
-                                let _e540 = phi_929_;
+                                let _e536 = phi_922_;
+                                let _e538 = phi_923_;
+                                let _e540 = phi_924_;
                                 if _e538 {
                                     if ((_e536.member_1 & 2147483648u) != 0u) {
-                                        phi_947_ = _e497;
-                                        phi_950_ = type_7(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_942_ = _e497;
+                                        phi_945_ = type_7(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1005 = phi_947_;
-                                            let _e1007 = phi_950_;
-                                            local_10 = _e1005;
-                                            local_12 = _e1005;
-                                            if (_e1007.member < _e1007.member_1) {
-                                                phi_951_ = type_7((_e1007.member + 1u), _e1007.member_1);
-                                                phi_973_ = type_7(1u, _e1007.member);
+                                            let _e1002 = phi_942_;
+                                            let _e1004 = phi_945_;
+                                            local_10 = _e1002;
+                                            local_12 = _e1002;
+                                            if (_e1004.member < _e1004.member_1) {
+                                                phi_946_ = type_7((_e1004.member + 1u), _e1004.member_1);
+                                                phi_968_ = type_7(1u, _e1004.member);
                                             } else {
-                                                phi_951_ = _e1007;
-                                                phi_973_ = type_7(0u, type_7().member_1);
+                                                phi_946_ = _e1004;
+                                                phi_968_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1020 = phi_951_;
-                                            let _e1022 = phi_973_;
-                                            let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
-                                            if _e1026 {
-                                                let _e1027 = ((_e536.member_1 & 268435455u) + _e1022.member_1);
-                                                let _e1028 = (_e1027 < _e85);
-                                                if _e1028 {
-                                                    if _e1028 {
+                                            let _e1017 = phi_946_;
+                                            let _e1019 = phi_968_;
+                                            let _e1023 = (bitcast<i32>(_e1019.member) != 0i);
+                                            if _e1023 {
+                                                let _e1024 = ((_e536.member_1 & 268435455u) + _e1019.member_1);
+                                                let _e1025 = (_e1024 < _e85);
+                                                if _e1025 {
+                                                    if _e1025 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1032 = global_2.member[_e1027].member_1;
-                                                    phi_994_ = _e1032;
+                                                    let _e1029 = global_2.member[_e1024].member_1;
+                                                    phi_989_ = _e1029;
                                                 } else {
-                                                    phi_994_ = 4294967295u;
+                                                    phi_989_ = 4294967295u;
                                                 }
-                                                let _e1034 = phi_994_;
-                                                if (_e1027 >= _e85) {
-                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1031 = phi_989_;
+                                                if (_e1024 >= _e85) {
+                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1028 {
+                                                    if _e1025 {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
                                                     if (_e457 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1041 = global_2.member[_e1027].member[_e457];
+                                                    let _e1038 = global_2.member[_e1024].member[_e457];
                                                     if (_e463 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1047 = global_2.member[_e1027].member[_e463];
+                                                    let _e1044 = global_2.member[_e1024].member[_e463];
                                                     if (_e469 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1053 = global_2.member[_e1027].member[_e469];
-                                                    let _e1055 = (3u + _e457);
-                                                    if (_e1055 < 9u) {
+                                                    let _e1050 = global_2.member[_e1024].member[_e469];
+                                                    let _e1052 = (3u + _e457);
+                                                    if (_e1052 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e1027].member[_e1055];
-                                                    let _e1062 = (3u + _e463);
-                                                    if (_e1062 < 9u) {
+                                                    let _e1058 = global_2.member[_e1024].member[_e1052];
+                                                    let _e1059 = (3u + _e463);
+                                                    if (_e1059 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1068 = global_2.member[_e1027].member[_e1062];
-                                                    let _e1069 = (3u + _e469);
-                                                    if (_e1069 < 9u) {
+                                                    let _e1065 = global_2.member[_e1024].member[_e1059];
+                                                    let _e1066 = (3u + _e469);
+                                                    if (_e1066 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1075 = global_2.member[_e1027].member[_e1069];
-                                                    let _e1077 = (6u + _e457);
-                                                    if (_e1077 < 9u) {
+                                                    let _e1072 = global_2.member[_e1024].member[_e1066];
+                                                    let _e1074 = (6u + _e457);
+                                                    if (_e1074 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1083 = global_2.member[_e1027].member[_e1077];
-                                                    let _e1084 = (6u + _e463);
-                                                    if (_e1084 < 9u) {
+                                                    let _e1080 = global_2.member[_e1024].member[_e1074];
+                                                    let _e1081 = (6u + _e463);
+                                                    if (_e1081 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1090 = global_2.member[_e1027].member[_e1084];
-                                                    let _e1091 = (6u + _e469);
-                                                    if (_e1091 < 9u) {
+                                                    let _e1087 = global_2.member[_e1024].member[_e1081];
+                                                    let _e1088 = (6u + _e469);
+                                                    if (_e1088 < 9u) {
                                                     } else {
-                                                        phi_3252_ = true;
+                                                        phi_3105_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_2.member[_e1027].member[_e1091];
-                                                    phi_1083_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1041, _e1047, _e1053), array<f32, 3>(_e1061, _e1068, _e1075), array<f32, 3>(_e1083, _e1090, _e1097));
+                                                    let _e1094 = global_2.member[_e1024].member[_e1088];
+                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1038, _e1044, _e1050), array<f32, 3>(_e1058, _e1065, _e1072), array<f32, 3>(_e1080, _e1087, _e1094));
                                                 }
-                                                let _e1101 = phi_1083_;
-                                                let _e1109 = (_e1101[0][2] - _e379);
-                                                let _e1112 = (((_e1101[0][0] - _e302) * _e403) - (_e1109 * _e327));
-                                                let _e1115 = (((_e1101[0][1] - _e341) * _e403) - (_e1109 * _e365));
-                                                let _e1122 = (_e1101[1][2] - _e379);
-                                                let _e1125 = (((_e1101[1][0] - _e302) * _e403) - (_e1122 * _e327));
-                                                let _e1128 = (((_e1101[1][1] - _e341) * _e403) - (_e1122 * _e365));
-                                                let _e1135 = (_e1101[2][2] - _e379);
-                                                let _e1138 = (((_e1101[2][0] - _e302) * _e403) - (_e1135 * _e327));
-                                                let _e1141 = (((_e1101[2][1] - _e341) * _e403) - (_e1135 * _e365));
-                                                let _e1142 = (_e1138 * _e1128);
-                                                let _e1143 = (_e1141 * _e1125);
-                                                let _e1144 = (_e1112 * _e1141);
-                                                let _e1145 = (_e1115 * _e1138);
-                                                let _e1146 = (_e1125 * _e1115);
-                                                let _e1147 = (_e1128 * _e1112);
-                                                let _e1152 = (((_e1142 >= _e1143) && (_e1144 >= _e1145)) && (_e1146 >= _e1147));
-                                                if (_e1152 || (((_e1142 <= _e1143) && (_e1144 <= _e1145)) && (_e1146 <= _e1147))) {
-                                                    let _e1159 = select(-1f, 1f, _e1152);
-                                                    let _e1161 = ((_e1142 - _e1143) * _e1159);
-                                                    let _e1163 = select(0f, _e1161, (_e1161 > 0f));
-                                                    let _e1165 = ((_e1144 - _e1145) * _e1159);
-                                                    let _e1167 = select(0f, _e1165, (_e1165 > 0f));
-                                                    let _e1169 = ((_e1146 - _e1147) * _e1159);
-                                                    let _e1171 = select(0f, _e1169, (_e1169 > 0f));
-                                                    let _e1173 = ((_e1163 + _e1167) + _e1171);
-                                                    if (_e1173 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1649_ = type_24();
-                                                        phi_1650_ = true;
+                                                let _e1098 = phi_1078_;
+                                                let _e1106 = (_e1098[0][2] - _e379);
+                                                let _e1109 = (((_e1098[0][0] - _e302) * _e403) - (_e1106 * _e327));
+                                                let _e1112 = (((_e1098[0][1] - _e341) * _e403) - (_e1106 * _e365));
+                                                let _e1119 = (_e1098[1][2] - _e379);
+                                                let _e1122 = (((_e1098[1][0] - _e302) * _e403) - (_e1119 * _e327));
+                                                let _e1125 = (((_e1098[1][1] - _e341) * _e403) - (_e1119 * _e365));
+                                                let _e1132 = (_e1098[2][2] - _e379);
+                                                let _e1135 = (((_e1098[2][0] - _e302) * _e403) - (_e1132 * _e327));
+                                                let _e1138 = (((_e1098[2][1] - _e341) * _e403) - (_e1132 * _e365));
+                                                let _e1139 = (_e1135 * _e1125);
+                                                let _e1140 = (_e1138 * _e1122);
+                                                let _e1141 = (_e1109 * _e1138);
+                                                let _e1142 = (_e1112 * _e1135);
+                                                let _e1143 = (_e1122 * _e1112);
+                                                let _e1144 = (_e1125 * _e1109);
+                                                let _e1149 = (((_e1139 >= _e1140) && (_e1141 >= _e1142)) && (_e1143 >= _e1144));
+                                                if (_e1149 || (((_e1139 <= _e1140) && (_e1141 <= _e1142)) && (_e1143 <= _e1144))) {
+                                                    let _e1156 = select(-1f, 1f, _e1149);
+                                                    let _e1158 = ((_e1139 - _e1140) * _e1156);
+                                                    let _e1160 = select(0f, _e1158, (_e1158 > 0f));
+                                                    let _e1162 = ((_e1141 - _e1142) * _e1156);
+                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
+                                                    let _e1166 = ((_e1143 - _e1144) * _e1156);
+                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
+                                                    let _e1170 = ((_e1160 + _e1164) + _e1168);
+                                                    if (_e1170 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1644_ = type_24();
+                                                        phi_1645_ = true;
                                                     } else {
-                                                        let _e1176 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] < _e1101[1][0]));
-                                                        let _e1180 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] > _e1101[1][0]));
-                                                        let _e1184 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] < _e1101[1][1]));
-                                                        let _e1188 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] > _e1101[1][1]));
-                                                        let _e1192 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] < _e1101[1][2]));
-                                                        let _e1196 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] > _e1101[1][2]));
-                                                        let _e1201 = ((select(_e1101[2][0], _e1176, (_e1176 < _e1101[2][0])) - _e325) * _e330);
-                                                        let _e1202 = ((select(_e1101[2][0], _e1180, (_e1180 > _e1101[2][0])) - _e326) * _e330);
-                                                        let _e1205 = ((select(_e1101[2][1], _e1184, (_e1184 < _e1101[2][1])) - _e363) * _e368);
-                                                        let _e1206 = ((select(_e1101[2][1], _e1188, (_e1188 > _e1101[2][1])) - _e364) * _e368);
-                                                        let _e1209 = ((select(_e1101[2][2], _e1192, (_e1192 < _e1101[2][2])) - _e401) * _e406);
-                                                        let _e1210 = ((select(_e1101[2][2], _e1196, (_e1196 > _e1101[2][2])) - _e402) * _e406);
-                                                        let _e1212 = select(_e1210, _e1209, (_e1209 < _e1210));
-                                                        let _e1214 = select(_e1210, _e1209, (_e1209 > _e1210));
-                                                        let _e1216 = select(_e1202, _e1201, (_e1201 < _e1202));
-                                                        let _e1218 = select(_e1206, _e1205, (_e1205 < _e1206));
-                                                        let _e1220 = select(_e1218, _e1216, (_e1216 > _e1218));
-                                                        let _e1222 = select(_e1212, _e1220, (_e1220 > _e1212));
-                                                        let _e1224 = select(_e1202, _e1201, (_e1201 > _e1202));
-                                                        let _e1226 = select(_e1206, _e1205, (_e1205 > _e1206));
-                                                        let _e1228 = select(_e1226, _e1224, (_e1224 < _e1226));
-                                                        let _e1230 = select(_e1214, _e1228, (_e1228 < _e1214));
-                                                        let _e1231 = -(_e1212);
-                                                        let _e1237 = select(_e453, _e1222, (_e1222 > _e453));
-                                                        if (_e1237 > (_e1230 + (select(_e1231, _e1214, (_e1214 > _e1231)) * 0.0000019073523f))) {
-                                                            phi_1644_ = type_24();
-                                                            phi_1645_ = true;
+                                                        let _e1173 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] < _e1098[1][0]));
+                                                        let _e1177 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] > _e1098[1][0]));
+                                                        let _e1181 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] < _e1098[1][1]));
+                                                        let _e1185 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] > _e1098[1][1]));
+                                                        let _e1189 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] < _e1098[1][2]));
+                                                        let _e1193 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] > _e1098[1][2]));
+                                                        let _e1198 = ((select(_e1098[2][0], _e1173, (_e1173 < _e1098[2][0])) - _e325) * _e330);
+                                                        let _e1199 = ((select(_e1098[2][0], _e1177, (_e1177 > _e1098[2][0])) - _e326) * _e330);
+                                                        let _e1202 = ((select(_e1098[2][1], _e1181, (_e1181 < _e1098[2][1])) - _e363) * _e368);
+                                                        let _e1203 = ((select(_e1098[2][1], _e1185, (_e1185 > _e1098[2][1])) - _e364) * _e368);
+                                                        let _e1206 = ((select(_e1098[2][2], _e1189, (_e1189 < _e1098[2][2])) - _e401) * _e406);
+                                                        let _e1207 = ((select(_e1098[2][2], _e1193, (_e1193 > _e1098[2][2])) - _e402) * _e406);
+                                                        let _e1209 = select(_e1207, _e1206, (_e1206 < _e1207));
+                                                        let _e1211 = select(_e1207, _e1206, (_e1206 > _e1207));
+                                                        let _e1213 = select(_e1199, _e1198, (_e1198 < _e1199));
+                                                        let _e1215 = select(_e1203, _e1202, (_e1202 < _e1203));
+                                                        let _e1217 = select(_e1215, _e1213, (_e1213 > _e1215));
+                                                        let _e1219 = select(_e1209, _e1217, (_e1217 > _e1209));
+                                                        let _e1221 = select(_e1199, _e1198, (_e1198 > _e1199));
+                                                        let _e1223 = select(_e1203, _e1202, (_e1202 > _e1203));
+                                                        let _e1225 = select(_e1223, _e1221, (_e1221 < _e1223));
+                                                        let _e1227 = select(_e1211, _e1225, (_e1225 < _e1211));
+                                                        let _e1228 = -(_e1209);
+                                                        let _e1234 = select(_e453, _e1219, (_e1219 > _e453));
+                                                        if (_e1234 > (_e1227 + (select(_e1228, _e1211, (_e1211 > _e1228)) * 0.0000019073523f))) {
+                                                            phi_1639_ = type_24();
+                                                            phi_1640_ = true;
                                                         } else {
-                                                            let _e1239 = (_e1237 > _e1005.member);
-                                                            if _e1239 {
-                                                                phi_1643_ = type_24();
+                                                            let _e1236 = (_e1234 > _e1002.member);
+                                                            if _e1236 {
+                                                                phi_1638_ = type_24();
                                                             } else {
-                                                                let _e1243 = (_e1101[1][0] - _e1101[0][0]);
-                                                                let _e1244 = (_e1101[1][1] - _e1101[0][1]);
-                                                                let _e1245 = (_e1101[1][2] - _e1101[0][2]);
-                                                                let _e1246 = vec3<f32>(_e1243, _e1244, _e1245);
-                                                                let _e1247 = (_e1101[2][0] - _e1101[1][0]);
-                                                                let _e1248 = (_e1101[2][1] - _e1101[1][1]);
-                                                                let _e1249 = (_e1101[2][2] - _e1101[1][2]);
-                                                                let _e1250 = vec3<f32>(_e1247, _e1248, _e1249);
-                                                                let _e1251 = (_e1101[0][0] - _e1101[2][0]);
-                                                                let _e1252 = (_e1101[0][1] - _e1101[2][1]);
-                                                                let _e1253 = (_e1101[0][2] - _e1101[2][2]);
-                                                                let _e1254 = vec3<f32>(_e1251, _e1252, _e1253);
-                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
-                                                                let _e1260 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
-                                                                let _e1265 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
-                                                                let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
-                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1247) & 2147483647u));
-                                                                let _e1273 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
-                                                                let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
-                                                                let _e1278 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
-                                                                let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
-                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                let _e1286 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                let _e1288 = select(_e1286, _e1283, (_e1283 > _e1286));
-                                                                let _e1291 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
-                                                                let _e1295 = select(_e1280, _e1267, (_e1267 > _e1280));
-                                                                let _e1297 = select(_e1293, _e1295, (_e1295 > _e1293));
-                                                                if (_e1267 == _e1297) {
-                                                                    phi_1554_ = _e1250;
-                                                                    phi_1555_ = _e1254;
+                                                                let _e1240 = (_e1098[1][0] - _e1098[0][0]);
+                                                                let _e1241 = (_e1098[1][1] - _e1098[0][1]);
+                                                                let _e1242 = (_e1098[1][2] - _e1098[0][2]);
+                                                                let _e1243 = vec3<f32>(_e1240, _e1241, _e1242);
+                                                                let _e1244 = (_e1098[2][0] - _e1098[1][0]);
+                                                                let _e1245 = (_e1098[2][1] - _e1098[1][1]);
+                                                                let _e1246 = (_e1098[2][2] - _e1098[1][2]);
+                                                                let _e1247 = vec3<f32>(_e1244, _e1245, _e1246);
+                                                                let _e1248 = (_e1098[0][0] - _e1098[2][0]);
+                                                                let _e1249 = (_e1098[0][1] - _e1098[2][1]);
+                                                                let _e1250 = (_e1098[0][2] - _e1098[2][2]);
+                                                                let _e1251 = vec3<f32>(_e1248, _e1249, _e1250);
+                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1240) & 2147483647u));
+                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1241) & 2147483647u));
+                                                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                                                let _e1262 = bitcast<f32>((bitcast<u32>(_e1242) & 2147483647u));
+                                                                let _e1264 = select(_e1262, _e1259, (_e1259 > _e1262));
+                                                                let _e1267 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
+                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
+                                                                let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
+                                                                let _e1275 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
+                                                                let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
+                                                                let _e1280 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
+                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
+                                                                let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
+                                                                let _e1288 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
+                                                                let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
+                                                                let _e1292 = select(_e1277, _e1264, (_e1264 > _e1277));
+                                                                let _e1294 = select(_e1290, _e1292, (_e1292 > _e1290));
+                                                                if (_e1264 == _e1294) {
+                                                                    phi_1549_ = _e1247;
+                                                                    phi_1550_ = _e1251;
                                                                 } else {
-                                                                    let _e1300 = vec3((_e1280 == _e1297));
-                                                                    phi_1554_ = select(_e1246, _e1254, _e1300);
-                                                                    phi_1555_ = select(_e1250, _e1246, _e1300);
+                                                                    let _e1297 = vec3((_e1277 == _e1294));
+                                                                    phi_1549_ = select(_e1243, _e1251, _e1297);
+                                                                    phi_1550_ = select(_e1247, _e1243, _e1297);
                                                                 }
-                                                                let _e1304 = phi_1554_;
-                                                                let _e1306 = phi_1555_;
-                                                                let _e1313 = ((_e1304.y * _e1306.z) - (_e1306.y * _e1304.z));
-                                                                let _e1318 = ((_e1304.z * _e1306.x) - (_e1306.z * _e1304.x));
-                                                                let _e1321 = ((_e1304.x * _e1306.y) - (_e1306.x * _e1304.y));
-                                                                if (_e1163 >= _e1167) {
-                                                                    phi_1586_ = select(true, false, (_e1163 >= _e1171));
+                                                                let _e1301 = phi_1549_;
+                                                                let _e1303 = phi_1550_;
+                                                                let _e1310 = ((_e1301.y * _e1303.z) - (_e1303.y * _e1301.z));
+                                                                let _e1315 = ((_e1301.z * _e1303.x) - (_e1303.z * _e1301.x));
+                                                                let _e1318 = ((_e1301.x * _e1303.y) - (_e1303.x * _e1301.y));
+                                                                if (_e1160 >= _e1164) {
+                                                                    phi_1581_ = select(true, false, (_e1160 >= _e1168));
                                                                 } else {
-                                                                    phi_1586_ = true;
+                                                                    phi_1581_ = true;
                                                                 }
-                                                                let _e1326 = phi_1586_;
-                                                                if _e1326 {
-                                                                    phi_1595_ = select(vec3<f32>(_e1101[2][0], _e1101[2][1], _e1101[2][2]), vec3<f32>(_e1101[1][0], _e1101[1][1], _e1101[1][2]), vec3((_e1167 >= _e1171)));
+                                                                let _e1323 = phi_1581_;
+                                                                if _e1323 {
+                                                                    phi_1590_ = select(vec3<f32>(_e1098[2][0], _e1098[2][1], _e1098[2][2]), vec3<f32>(_e1098[1][0], _e1098[1][1], _e1098[1][2]), vec3((_e1164 >= _e1168)));
                                                                 } else {
-                                                                    phi_1595_ = vec3<f32>(_e1101[0][0], _e1101[0][1], _e1101[0][2]);
+                                                                    phi_1590_ = vec3<f32>(_e1098[0][0], _e1098[0][1], _e1098[0][2]);
                                                                 }
-                                                                let _e1331 = phi_1595_;
-                                                                let _e1348 = ((((_e1313 * (_e1331.x - _e302)) + (_e1318 * (_e1331.y - _e341))) + (_e1321 * (_e1331.z - _e379))) / (((_e1313 * _e327) + (_e1318 * _e365)) + (_e1321 * _e403)));
-                                                                let _e1350 = select(_e1230, _e1348, (_e1348 < _e1230));
-                                                                let _e1352 = select(_e1222, _e1350, (_e1350 > _e1222));
-                                                                if (_e1352 >= _e453) {
-                                                                    let _e1354 = (_e1352 <= _e1005.member);
-                                                                    if _e1354 {
-                                                                        let _e1355 = (1f / _e1173);
-                                                                        phi_1635_ = type_24(_e1352, (_e1167 * _e1355), (_e1171 * _e1355), _e1034);
+                                                                let _e1328 = phi_1590_;
+                                                                let _e1345 = ((((_e1310 * (_e1328.x - _e302)) + (_e1315 * (_e1328.y - _e341))) + (_e1318 * (_e1328.z - _e379))) / (((_e1310 * _e327) + (_e1315 * _e365)) + (_e1318 * _e403)));
+                                                                let _e1347 = select(_e1227, _e1345, (_e1345 < _e1227));
+                                                                let _e1349 = select(_e1219, _e1347, (_e1347 > _e1219));
+                                                                if (_e1349 >= _e453) {
+                                                                    let _e1351 = (_e1349 <= _e1002.member);
+                                                                    if _e1351 {
+                                                                        let _e1352 = (1f / _e1170);
+                                                                        phi_1630_ = type_24(_e1349, (_e1164 * _e1352), (_e1168 * _e1352), _e1031);
                                                                     } else {
-                                                                        phi_1635_ = type_24();
+                                                                        phi_1630_ = type_24();
                                                                     }
-                                                                    let _e1360 = phi_1635_;
+                                                                    let _e1357 = phi_1630_;
+                                                                    phi_1632_ = _e1357;
+                                                                    phi_1633_ = select(true, false, _e1351);
+                                                                } else {
+                                                                    phi_1632_ = type_24();
+                                                                    phi_1633_ = true;
+                                                                }
+                                                                let _e1360 = phi_1632_;
+                                                                let _e1362 = phi_1633_;
+                                                                if _e1362 {
+                                                                    phi_1637_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
                                                                     phi_1637_ = _e1360;
-                                                                    phi_1638_ = select(true, false, _e1354);
-                                                                } else {
-                                                                    phi_1637_ = type_24();
-                                                                    phi_1638_ = true;
                                                                 }
-                                                                let _e1363 = phi_1637_;
-                                                                let _e1365 = phi_1638_;
-                                                                if _e1365 {
-                                                                    phi_1642_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1642_ = _e1363;
-                                                                }
-                                                                let _e1367 = phi_1642_;
-                                                                phi_1643_ = _e1367;
+                                                                let _e1364 = phi_1637_;
+                                                                phi_1638_ = _e1364;
                                                             }
-                                                            let _e1369 = phi_1643_;
-                                                            phi_1644_ = _e1369;
-                                                            phi_1645_ = _e1239;
+                                                            let _e1366 = phi_1638_;
+                                                            phi_1639_ = _e1366;
+                                                            phi_1640_ = _e1236;
                                                         }
-                                                        let _e1371 = phi_1644_;
-                                                        let _e1373 = phi_1645_;
-                                                        phi_1649_ = _e1371;
-                                                        phi_1650_ = _e1373;
+                                                        let _e1368 = phi_1639_;
+                                                        let _e1370 = phi_1640_;
+                                                        phi_1644_ = _e1368;
+                                                        phi_1645_ = _e1370;
                                                     }
-                                                    let _e1375 = phi_1649_;
-                                                    let _e1377 = phi_1650_;
-                                                    phi_1654_ = _e1375;
-                                                    phi_1655_ = _e1377;
+                                                    let _e1372 = phi_1644_;
+                                                    let _e1374 = phi_1645_;
+                                                    phi_1649_ = _e1372;
+                                                    phi_1650_ = _e1374;
                                                 } else {
-                                                    phi_1654_ = type_24();
-                                                    phi_1655_ = true;
+                                                    phi_1649_ = type_24();
+                                                    phi_1650_ = true;
                                                 }
-                                                let _e1379 = phi_1654_;
-                                                let _e1381 = phi_1655_;
-                                                if _e1381 {
-                                                    phi_1659_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1376 = phi_1649_;
+                                                let _e1378 = phi_1650_;
+                                                if _e1378 {
+                                                    phi_1654_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1659_ = _e1379;
+                                                    phi_1654_ = _e1376;
                                                 }
-                                                let _e1383 = phi_1659_;
-                                                if (_e1383.member_3 != 4294967295u) {
-                                                    if (_e1034 != 4294967295u) {
-                                                        phi_1670_ = type_38(_e1005.member, true);
+                                                let _e1380 = phi_1654_;
+                                                if (_e1380.member_3 != 4294967295u) {
+                                                    if (_e1031 != 4294967295u) {
+                                                        phi_1665_ = type_38(_e1002.member, true);
                                                     } else {
-                                                        phi_1670_ = _e1005;
+                                                        phi_1665_ = _e1002;
                                                     }
-                                                    let _e1391 = phi_1670_;
-                                                    phi_1671_ = _e1391;
+                                                    let _e1388 = phi_1665_;
+                                                    phi_1666_ = _e1388;
                                                 } else {
-                                                    phi_1671_ = _e1005;
+                                                    phi_1666_ = _e1002;
                                                 }
-                                                let _e1393 = phi_1671_;
-                                                phi_948_ = _e1393;
+                                                let _e1390 = phi_1666_;
+                                                phi_943_ = _e1390;
                                             } else {
-                                                phi_948_ = type_38();
+                                                phi_943_ = type_38();
                                             }
-                                            let _e1395 = phi_948_;
+                                            let _e1392 = phi_943_;
                                             continue;
                                             continuing {
-                                                phi_947_ = _e1395;
-                                                phi_950_ = _e1020;
-                                                phi_3252_ = _e495;
-                                                break if !(_e1026);
+                                                phi_942_ = _e1392;
+                                                phi_945_ = _e1017;
+                                                phi_3105_ = _e495;
+                                                break if !(_e1023);
                                             }
                                         }
-                                        let _e1398 = phi_3252_;
-                                        phi_3363_ = _e1398;
-                                        if _e1398 {
+                                        let _e1395 = phi_3105_;
+                                        phi_3216_ = _e1395;
+                                        if _e1395 {
                                             break;
                                         }
-                                        let _e1400 = local_10;
-                                        phi_3367_ = _e1398;
-                                        let _e1547 = local_12;
-                                        phi_3019_ = _e1547;
-                                        phi_3020_ = _e536;
-                                        phi_3021_ = false;
-                                        phi_3022_ = select(_e540, 0u, _e1400.member_1);
+                                        let _e1397 = local_10;
+                                        phi_3220_ = _e1395;
+                                        let _e1544 = local_12;
+                                        phi_2872_ = _e1544;
+                                        phi_2873_ = _e536;
+                                        phi_2874_ = false;
+                                        phi_2875_ = select(_e540, 0u, _e1397.member_1);
                                     } else {
                                         if (_e536.member_1 >= _e83) {
-                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e536.member_1 < _e83) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e553 = ((1u + (_e253 * 2u)) % 7u);
+                                            let _e551 = (_e253 * 2u);
+                                            let _e553 = ((1u + _e551) % 7u);
                                             if (_e553 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
                                             let _e558 = global_6.member[_e536.member_1][_e553];
-                                            let _e561 = ((1u + (_e252 * 2u)) % 7u);
-                                            if (_e561 < 7u) {
+                                            let _e560 = ((_e551 + 2u) % 7u);
+                                            if (_e560 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_6.member[_e536.member_1][_e561];
-                                            let _e569 = ((1u + (_e254 * 2u)) % 7u);
-                                            if (_e569 < 7u) {
+                                            let _e565 = global_6.member[_e536.member_1][_e560];
+                                            let _e566 = (_e252 * 2u);
+                                            let _e568 = ((1u + _e566) % 7u);
+                                            if (_e568 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_6.member[_e536.member_1][_e569];
-                                            let _e577 = (((_e253 + 1u) * 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e573 = global_6.member[_e536.member_1][_e568];
+                                            let _e575 = ((_e566 + 2u) % 7u);
+                                            if (_e575 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_6.member[_e536.member_1][_e577];
-                                            let _e585 = (((_e252 + 1u) * 2u) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e580 = global_6.member[_e536.member_1][_e575];
+                                            let _e581 = (_e254 * 2u);
+                                            let _e583 = ((1u + _e581) % 7u);
+                                            if (_e583 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_6.member[_e536.member_1][_e585];
-                                            let _e593 = (((_e254 + 1u) * 2u) % 7u);
-                                            if (_e593 < 7u) {
+                                            let _e588 = global_6.member[_e536.member_1][_e583];
+                                            let _e590 = ((_e581 + 2u) % 7u);
+                                            if (_e590 < 7u) {
                                             } else {
-                                                phi_3363_ = true;
+                                                phi_3216_ = true;
                                                 break;
                                             }
-                                            let _e598 = global_6.member[_e536.member_1][_e593];
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e625 = select(_e133, _e621, (_e621 > _e133));
-                                            let _e627 = select(_e133, _e622, (_e622 > _e133));
-                                            let _e629 = select(_e133, _e623, (_e623 > _e133));
-                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e625));
-                                            let _e659 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
-                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e627));
-                                            let _e668 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
-                                            let _e672 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e629));
-                                            let _e677 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e680 = bitcast<f32>((_e672 & bitcast<u32>(_e677)));
-                                            let _e684 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
-                                            let _e688 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
-                                            let _e692 = bitcast<f32>((_e672 & bitcast<u32>(~(_e677))));
-                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e625));
-                                            let _e698 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
-                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e627));
-                                            let _e707 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
-                                            let _e711 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e629));
-                                            let _e716 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e719 = bitcast<f32>((_e711 & bitcast<u32>(_e716)));
-                                            let _e723 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
-                                            let _e727 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
-                                            let _e731 = bitcast<f32>((_e711 & bitcast<u32>(~(_e716))));
-                                            let _e761 = global_6.member[_e536.member_1][0u];
-                                            let _e765 = global_6.member[_e536.member_1][2u];
-                                            let _e769 = global_6.member[_e536.member_1][4u];
-                                            let _e773 = global_6.member[_e536.member_1][6u];
-                                            let _e785 = (((_e765 >> bitcast<u32>(22i)) | ((_e769 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e773 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e786 = (_e761 & 268435455u);
-                                            let _e787 = (_e785 & 268435455u);
-                                            let _e790 = ((_e761 >> bitcast<u32>(28u)) & 7u);
-                                            let _e798 = ((_e761 >> bitcast<u32>(31i)) | (((_e785 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e799 = (_e790 != 0u);
-                                            if (_e790 == 0u) {
-                                                phi_2537_ = _e786;
+                                            let _e595 = global_6.member[_e536.member_1][_e590];
+                                            let _e618 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e622 = select(_e133, _e618, (_e618 > _e133));
+                                            let _e624 = select(_e133, _e619, (_e619 > _e133));
+                                            let _e626 = select(_e133, _e620, (_e620 > _e133));
+                                            let _e651 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e622));
+                                            let _e656 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e659 = bitcast<f32>((_e651 & bitcast<u32>(_e656)));
+                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e624));
+                                            let _e665 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
+                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e626));
+                                            let _e674 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
+                                            let _e681 = bitcast<f32>((_e651 & bitcast<u32>(~(_e656))));
+                                            let _e685 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
+                                            let _e689 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
+                                            let _e690 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e622));
+                                            let _e695 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e698 = bitcast<f32>((_e690 & bitcast<u32>(_e695)));
+                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e624));
+                                            let _e704 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
+                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e626));
+                                            let _e713 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
+                                            let _e720 = bitcast<f32>((_e690 & bitcast<u32>(~(_e695))));
+                                            let _e724 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
+                                            let _e728 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
+                                            let _e758 = global_6.member[_e536.member_1][0u];
+                                            let _e762 = global_6.member[_e536.member_1][2u];
+                                            let _e766 = global_6.member[_e536.member_1][4u];
+                                            let _e770 = global_6.member[_e536.member_1][6u];
+                                            let _e782 = (((_e762 >> bitcast<u32>(22i)) | ((_e766 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e783 = (_e758 & 268435455u);
+                                            let _e784 = (_e782 & 268435455u);
+                                            let _e787 = ((_e758 >> bitcast<u32>(28u)) & 7u);
+                                            let _e795 = ((_e758 >> bitcast<u32>(31i)) | (((_e782 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e796 = (_e787 != 0u);
+                                            if (_e787 == 0u) {
+                                                phi_2390_ = _e783;
                                             } else {
-                                                if (_e790 == 7u) {
-                                                    phi_2536_ = 2147483648u;
+                                                if (_e787 == 7u) {
+                                                    phi_2389_ = 2147483648u;
                                                 } else {
-                                                    phi_2536_ = ((2147483648u | (_e790 << bitcast<u32>(28u))) | (_e787 & 268435455u));
+                                                    phi_2389_ = ((2147483648u | (_e787 << bitcast<u32>(28u))) | (_e784 & 268435455u));
                                                 }
-                                                let _e808 = phi_2536_;
-                                                phi_2537_ = _e808;
+                                                let _e805 = phi_2389_;
+                                                phi_2390_ = _e805;
                                             }
-                                            let _e810 = phi_2537_;
-                                            if _e799 {
-                                                let _e811 = (_e790 != 7u);
-                                                if _e811 {
-                                                    phi_2547_ = (_e787 + _e790);
+                                            let _e807 = phi_2390_;
+                                            if _e796 {
+                                                let _e808 = (_e787 != 7u);
+                                                if _e808 {
+                                                    phi_2400_ = (_e784 + _e787);
                                                 } else {
-                                                    phi_2547_ = u32();
+                                                    phi_2400_ = u32();
                                                 }
-                                                let _e814 = phi_2547_;
-                                                phi_2549_ = _e814;
-                                                phi_2550_ = select(true, false, _e811);
+                                                let _e811 = phi_2400_;
+                                                phi_2402_ = _e811;
+                                                phi_2403_ = select(true, false, _e808);
                                             } else {
-                                                phi_2549_ = u32();
-                                                phi_2550_ = true;
+                                                phi_2402_ = u32();
+                                                phi_2403_ = true;
                                             }
-                                            let _e817 = phi_2549_;
-                                            let _e819 = phi_2550_;
-                                            if (_e798 == 0u) {
-                                                phi_2571_ = (_e786 + select(0u, 1u, !(_e799)));
+                                            let _e814 = phi_2402_;
+                                            let _e816 = phi_2403_;
+                                            if (_e795 == 0u) {
+                                                phi_2424_ = (_e783 + select(0u, 1u, !(_e796)));
                                             } else {
-                                                if (_e798 == 7u) {
-                                                    phi_2570_ = 2147483648u;
+                                                if (_e795 == 7u) {
+                                                    phi_2423_ = 2147483648u;
                                                 } else {
-                                                    phi_2570_ = ((2147483648u | (_e798 << bitcast<u32>(28u))) | (select(_e817, _e787, _e819) & 268435455u));
+                                                    phi_2423_ = ((2147483648u | (_e795 << bitcast<u32>(28u))) | (select(_e814, _e784, _e816) & 268435455u));
                                                 }
-                                                let _e832 = phi_2570_;
-                                                phi_2571_ = _e832;
+                                                let _e829 = phi_2423_;
+                                                phi_2424_ = _e829;
                                             }
-                                            let _e834 = phi_2571_;
-                                            phi_2575_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e662), (_e536.member.member.x + _e684), (_e536.member.member_1.x - _e701), (_e536.member.member_1.x - _e723)), vec4<f32>((_e536.member.member.y + _e671), (_e536.member.member.y + _e688), (_e536.member.member_1.y - _e710), (_e536.member.member_1.y - _e727)), vec4<f32>((_e536.member.member.z + _e680), (_e536.member.member.z + _e692), (_e536.member.member_1.z - _e719), (_e536.member.member_1.z - _e731))), type_49(type_28((_e536.member.member + vec4<f32>(_e662, _e671, _e680, 0f)), (_e536.member.member_1 - vec4<f32>(_e701, _e710, _e719, 0f))), _e810), type_49(type_28((_e536.member.member + vec4<f32>(_e684, _e688, _e692, 0f)), (_e536.member.member_1 - vec4<f32>(_e723, _e727, _e731, 0f))), _e834));
+                                            let _e831 = phi_2424_;
+                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e659), (_e536.member.member.x + _e681), (_e536.member.member_1.x - _e698), (_e536.member.member_1.x - _e720)), vec4<f32>((_e536.member.member.y + _e668), (_e536.member.member.y + _e685), (_e536.member.member_1.y - _e707), (_e536.member.member_1.y - _e724)), vec4<f32>((_e536.member.member.z + _e677), (_e536.member.member.z + _e689), (_e536.member.member_1.z - _e716), (_e536.member.member_1.z - _e728))), type_49(type_28((_e536.member.member + vec4<f32>(_e659, _e668, _e677, 0f)), (_e536.member.member_1 - vec4<f32>(_e698, _e707, _e716, 0f))), _e807), type_49(type_28((_e536.member.member + vec4<f32>(_e681, _e685, _e689, 0f)), (_e536.member.member_1 - vec4<f32>(_e720, _e724, _e728, 0f))), _e831));
                                         }
-                                        let _e839 = phi_2575_;
-                                        let _e851 = ((_e839.member[0].x - _e325) * _e330);
-                                        let _e852 = ((_e839.member[0].y - _e325) * _e330);
-                                        let _e853 = ((_e839.member[0].z - _e326) * _e330);
-                                        let _e854 = ((_e839.member[0].w - _e326) * _e330);
-                                        let _e864 = ((_e839.member[1].x - _e363) * _e368);
-                                        let _e865 = ((_e839.member[1].y - _e363) * _e368);
-                                        let _e866 = ((_e839.member[1].z - _e364) * _e368);
-                                        let _e867 = ((_e839.member[1].w - _e364) * _e368);
-                                        let _e877 = ((_e839.member[2].x - _e401) * _e406);
-                                        let _e878 = ((_e839.member[2].y - _e401) * _e406);
-                                        let _e879 = ((_e839.member[2].z - _e402) * _e406);
-                                        let _e880 = ((_e839.member[2].w - _e402) * _e406);
-                                        let _e882 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e884 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e886 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e888 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e890 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e892 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e894 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e896 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                        let _e900 = select(_e896, _e892, (_e892 > _e896));
-                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                        let _e904 = select(_e884, _e900, (_e900 > _e884));
-                                        let _e906 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e908 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e910 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e912 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                        let _e916 = select(_e912, _e908, (_e908 < _e912));
-                                        let _e921 = -(_e882);
-                                        let _e922 = -(_e884);
-                                        let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
-                                        let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
-                                        let _e932 = select(_e453, _e902, (_e902 > _e453));
-                                        let _e934 = select(_e453, _e904, (_e904 > _e453));
-                                        let _e939 = (_e932 <= select(_e497.member, _e929, (_e929 < _e497.member)));
-                                        let _e940 = (_e934 <= select(_e497.member, _e930, (_e930 < _e497.member)));
-                                        let _e941 = (_e932 <= _e934);
-                                        if _e939 {
-                                            if _e940 {
-                                                if _e941 {
-                                                    phi_2919_ = _e839.member_2;
+                                        let _e836 = phi_2428_;
+                                        let _e848 = ((_e836.member[0].x - _e325) * _e330);
+                                        let _e849 = ((_e836.member[0].y - _e325) * _e330);
+                                        let _e850 = ((_e836.member[0].z - _e326) * _e330);
+                                        let _e851 = ((_e836.member[0].w - _e326) * _e330);
+                                        let _e861 = ((_e836.member[1].x - _e363) * _e368);
+                                        let _e862 = ((_e836.member[1].y - _e363) * _e368);
+                                        let _e863 = ((_e836.member[1].z - _e364) * _e368);
+                                        let _e864 = ((_e836.member[1].w - _e364) * _e368);
+                                        let _e874 = ((_e836.member[2].x - _e401) * _e406);
+                                        let _e875 = ((_e836.member[2].y - _e401) * _e406);
+                                        let _e876 = ((_e836.member[2].z - _e402) * _e406);
+                                        let _e877 = ((_e836.member[2].w - _e402) * _e406);
+                                        let _e879 = select(_e876, _e874, (_e874 < _e876));
+                                        let _e881 = select(_e877, _e875, (_e875 < _e877));
+                                        let _e883 = select(_e876, _e874, (_e874 > _e876));
+                                        let _e885 = select(_e877, _e875, (_e875 > _e877));
+                                        let _e887 = select(_e850, _e848, (_e848 < _e850));
+                                        let _e889 = select(_e851, _e849, (_e849 < _e851));
+                                        let _e891 = select(_e863, _e861, (_e861 < _e863));
+                                        let _e893 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e895 = select(_e891, _e887, (_e887 > _e891));
+                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
+                                        let _e899 = select(_e879, _e895, (_e895 > _e879));
+                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
+                                        let _e903 = select(_e850, _e848, (_e848 > _e850));
+                                        let _e905 = select(_e851, _e849, (_e849 > _e851));
+                                        let _e907 = select(_e863, _e861, (_e861 > _e863));
+                                        let _e909 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e911 = select(_e907, _e903, (_e903 < _e907));
+                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
+                                        let _e918 = -(_e879);
+                                        let _e919 = -(_e881);
+                                        let _e926 = (select(_e883, _e911, (_e911 < _e883)) + (select(_e918, _e883, (_e883 > _e918)) * 0.0000019073523f));
+                                        let _e927 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e919, _e885, (_e885 > _e919)) * 0.0000019073523f));
+                                        let _e929 = select(_e453, _e899, (_e899 > _e453));
+                                        let _e931 = select(_e453, _e901, (_e901 > _e453));
+                                        let _e936 = (_e929 <= select(_e497.member, _e926, (_e926 < _e497.member)));
+                                        let _e937 = (_e931 <= select(_e497.member, _e927, (_e927 < _e497.member)));
+                                        let _e938 = (_e929 <= _e931);
+                                        if _e936 {
+                                            if _e937 {
+                                                if _e938 {
+                                                    phi_2772_ = _e836.member_2;
                                                 } else {
-                                                    phi_2919_ = _e839.member_1;
+                                                    phi_2772_ = _e836.member_1;
                                                 }
-                                                let _e945 = phi_2919_;
-                                                let _e967 = (_e540 % 128u);
-                                                let _e968 = (_e967 < 128u);
-                                                if _e968 {
+                                                let _e942 = phi_2772_;
+                                                let _e964 = (_e540 % 128u);
+                                                let _e965 = (_e964 < 128u);
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_8[_e967] = _e945.member_1;
-                                                if _e968 {
+                                                local_8[_e964] = _e942.member_1;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_7[_e967] = _e945.member.member.x;
-                                                if _e968 {
+                                                local_7[_e964] = _e942.member.member.x;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_6[_e967] = _e945.member.member.y;
-                                                if _e968 {
+                                                local_6[_e964] = _e942.member.member.y;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_5[_e967] = _e945.member.member.z;
-                                                if _e968 {
+                                                local_5[_e964] = _e942.member.member.z;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_4[_e967] = _e945.member.member_1.x;
-                                                if _e968 {
+                                                local_4[_e964] = _e942.member.member_1.x;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_3[_e967] = _e945.member.member_1.y;
-                                                if _e968 {
+                                                local_3[_e964] = _e942.member.member_1.y;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_2[_e967] = _e945.member.member_1.z;
-                                                if _e968 {
+                                                local_2[_e964] = _e942.member.member_1.z;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3363_ = true;
+                                                    phi_3216_ = true;
                                                     break;
                                                 }
-                                                local_9[_e967] = select(_e934, _e932, (_e932 > _e934));
-                                                if _e941 {
-                                                    phi_2996_ = _e839.member_1;
+                                                local_9[_e964] = select(_e931, _e929, (_e929 > _e931));
+                                                if _e938 {
+                                                    phi_2849_ = _e836.member_1;
                                                 } else {
-                                                    phi_2996_ = _e839.member_2;
+                                                    phi_2849_ = _e836.member_2;
                                                 }
-                                                let _e981 = phi_2996_;
-                                                phi_2997_ = _e981;
-                                                phi_2998_ = (_e540 + 1u);
+                                                let _e978 = phi_2849_;
+                                                phi_2850_ = _e978;
+                                                phi_2851_ = (_e540 + 1u);
                                             } else {
-                                                phi_2997_ = type_49();
-                                                phi_2998_ = u32();
+                                                phi_2850_ = type_49();
+                                                phi_2851_ = u32();
                                             }
-                                            let _e983 = phi_2997_;
-                                            let _e985 = phi_2998_;
-                                            phi_3000_ = _e983;
-                                            phi_3001_ = _e985;
-                                            phi_3002_ = select(true, false, _e940);
+                                            let _e980 = phi_2850_;
+                                            let _e982 = phi_2851_;
+                                            phi_2853_ = _e980;
+                                            phi_2854_ = _e982;
+                                            phi_2855_ = select(true, false, _e937);
                                         } else {
-                                            phi_3000_ = type_49();
-                                            phi_3001_ = u32();
-                                            phi_3002_ = true;
+                                            phi_2853_ = type_49();
+                                            phi_2854_ = u32();
+                                            phi_2855_ = true;
                                         }
-                                        let _e988 = phi_3000_;
-                                        let _e990 = phi_3001_;
-                                        let _e992 = phi_3002_;
-                                        if _e992 {
-                                            if _e939 {
-                                                phi_3011_ = _e839.member_1;
+                                        let _e985 = phi_2853_;
+                                        let _e987 = phi_2854_;
+                                        let _e989 = phi_2855_;
+                                        if _e989 {
+                                            if _e936 {
+                                                phi_2864_ = _e836.member_1;
                                             } else {
-                                                phi_3011_ = _e839.member_2;
+                                                phi_2864_ = _e836.member_2;
                                             }
-                                            let _e996 = phi_3011_;
-                                            phi_3016_ = _e996;
-                                            phi_3017_ = select(_e940, true, _e939);
+                                            let _e993 = phi_2864_;
+                                            phi_2869_ = _e993;
+                                            phi_2870_ = select(_e937, true, _e936);
                                         } else {
-                                            phi_3016_ = _e988;
-                                            phi_3017_ = _e538;
+                                            phi_2869_ = _e985;
+                                            phi_2870_ = _e538;
                                         }
-                                        let _e999 = phi_3016_;
-                                        let _e1001 = phi_3017_;
-                                        phi_3367_ = _e495;
-                                        phi_3019_ = _e497;
-                                        phi_3020_ = _e999;
-                                        phi_3021_ = _e1001;
-                                        phi_3022_ = select(_e990, _e540, _e992);
+                                        let _e996 = phi_2869_;
+                                        let _e998 = phi_2870_;
+                                        phi_3220_ = _e495;
+                                        phi_2872_ = _e497;
+                                        phi_2873_ = _e996;
+                                        phi_2874_ = _e998;
+                                        phi_2875_ = select(_e987, _e540, _e989);
                                     }
-                                    let _e1404 = phi_3367_;
-                                    let _e1406 = phi_3019_;
-                                    let _e1408 = phi_3020_;
-                                    let _e1410 = phi_3021_;
-                                    let _e1412 = phi_3022_;
-                                    phi_3366_ = _e1404;
-                                    phi_3023_ = _e1406;
-                                    phi_3024_ = _e1408;
-                                    phi_3025_ = (_e501 - 1u);
-                                    phi_3026_ = _e1410;
-                                    phi_3027_ = _e1412;
+                                    let _e1401 = phi_3220_;
+                                    let _e1403 = phi_2872_;
+                                    let _e1405 = phi_2873_;
+                                    let _e1407 = phi_2874_;
+                                    let _e1409 = phi_2875_;
+                                    phi_3219_ = _e1401;
+                                    phi_2876_ = _e1403;
+                                    phi_2877_ = _e1405;
+                                    phi_2878_ = (_e501 - 1u);
+                                    phi_2879_ = _e1407;
+                                    phi_2880_ = _e1409;
                                 } else {
-                                    phi_3366_ = _e495;
-                                    phi_3023_ = _e497;
-                                    phi_3024_ = _e536;
-                                    phi_3025_ = _e501;
-                                    phi_3026_ = _e538;
-                                    phi_3027_ = _e540;
+                                    phi_3219_ = _e495;
+                                    phi_2876_ = _e497;
+                                    phi_2877_ = _e536;
+                                    phi_2878_ = _e501;
+                                    phi_2879_ = _e538;
+                                    phi_2880_ = _e540;
                                 }
-                                let _e1414 = phi_3366_;
-                                let _e1416 = phi_3023_;
-                                let _e1418 = phi_3024_;
-                                let _e1420 = phi_3025_;
-                                let _e1422 = phi_3026_;
-                                let _e1424 = phi_3027_;
-                                phi_3365_ = _e1414;
-                                phi_3028_ = _e1416;
-                                phi_3029_ = _e1418;
-                                phi_3030_ = _e1420;
-                                phi_3031_ = _e1422;
-                                phi_3032_ = _e1424;
+                                let _e1411 = phi_3219_;
+                                let _e1413 = phi_2876_;
+                                let _e1415 = phi_2877_;
+                                let _e1417 = phi_2878_;
+                                let _e1419 = phi_2879_;
+                                let _e1421 = phi_2880_;
+                                phi_3218_ = _e1411;
+                                phi_2881_ = _e1413;
+                                phi_2882_ = _e1415;
+                                phi_2883_ = _e1417;
+                                phi_2884_ = _e1419;
+                                phi_2885_ = _e1421;
                             } else {
-                                phi_3365_ = _e495;
-                                phi_3028_ = type_38();
-                                phi_3029_ = type_49();
-                                phi_3030_ = u32();
-                                phi_3031_ = bool();
-                                phi_3032_ = u32();
+                                phi_3218_ = _e495;
+                                phi_2881_ = type_38();
+                                phi_2882_ = type_49();
+                                phi_2883_ = u32();
+                                phi_2884_ = bool();
+                                phi_2885_ = u32();
                             }
-                            let _e1426 = phi_3365_;
-                            let _e1428 = phi_3028_;
-                            let _e1430 = phi_3029_;
-                            let _e1432 = phi_3030_;
-                            let _e1434 = phi_3031_;
-                            let _e1436 = phi_3032_;
-                            phi_3364_ = _e1426;
-                            phi_822_ = _e1428;
-                            phi_825_ = _e1430;
-                            phi_827_ = _e1432;
-                            phi_829_ = _e1434;
-                            phi_831_ = _e1436;
-                            phi_3033_ = _e509;
+                            let _e1423 = phi_3218_;
+                            let _e1425 = phi_2881_;
+                            let _e1427 = phi_2882_;
+                            let _e1429 = phi_2883_;
+                            let _e1431 = phi_2884_;
+                            let _e1433 = phi_2885_;
+                            phi_3217_ = _e1423;
+                            phi_817_ = _e1425;
+                            phi_820_ = _e1427;
+                            phi_822_ = _e1429;
+                            phi_824_ = _e1431;
+                            phi_826_ = _e1433;
+                            phi_2886_ = _e509;
                         } else {
-                            phi_3364_ = _e495;
-                            phi_822_ = type_38();
-                            phi_825_ = type_49();
-                            phi_827_ = u32();
-                            phi_829_ = bool();
-                            phi_831_ = u32();
-                            phi_3033_ = false;
+                            phi_3217_ = _e495;
+                            phi_817_ = type_38();
+                            phi_820_ = type_49();
+                            phi_822_ = u32();
+                            phi_824_ = bool();
+                            phi_826_ = u32();
+                            phi_2886_ = false;
                         }
-                        let _e1438 = phi_3364_;
-                        let _e1440 = phi_822_;
-                        let _e1442 = phi_825_;
-                        let _e1444 = phi_827_;
-                        let _e1446 = phi_829_;
-                        let _e1448 = phi_831_;
-                        let _e1450 = phi_3033_;
+                        let _e1435 = phi_3217_;
+                        let _e1437 = phi_817_;
+                        let _e1439 = phi_820_;
+                        let _e1441 = phi_822_;
+                        let _e1443 = phi_824_;
+                        let _e1445 = phi_826_;
+                        let _e1447 = phi_2886_;
                         continue;
                         continuing {
-                            phi_3258_ = _e1438;
-                            phi_821_ = _e1440;
-                            phi_824_ = _e1442;
-                            phi_826_ = _e1444;
-                            phi_828_ = _e1446;
-                            phi_830_ = _e1448;
-                            phi_3363_ = _e1438;
-                            break if !(_e1450);
+                            phi_3111_ = _e1435;
+                            phi_816_ = _e1437;
+                            phi_819_ = _e1439;
+                            phi_821_ = _e1441;
+                            phi_823_ = _e1443;
+                            phi_825_ = _e1445;
+                            phi_3216_ = _e1435;
+                            break if !(_e1447);
                         }
                     }
-                    let _e1453 = phi_3363_;
-                    if _e1453 {
+                    let _e1450 = phi_3216_;
+                    if _e1450 {
                         break;
                     }
-                    let _e1455 = local_11;
+                    let _e1452 = local_11;
                     if _e141 {
                     } else {
                         break;
                     }
-                    global_5.member[_e139] = select(0u, 1u, _e1455.member_1);
+                    global_5.member[_e139] = select(0u, 1u, _e1452.member_1);
                 }
             }
             break;

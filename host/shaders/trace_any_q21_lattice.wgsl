@@ -43,7 +43,7 @@ struct type_36 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_43 {
+struct type_40 {
     member: array<array<u32, 7>>,
 }
 
@@ -68,7 +68,7 @@ var<storage> global_3: type_32;
 @group(0) @binding(5) 
 var<storage, read_write> global_4: type_4;
 @group(0) @binding(2) 
-var<storage> global_5: type_43;
+var<storage> global_5: type_40;
 @group(0) @binding(3) 
 var<storage> global_6: type_4;
 
@@ -86,140 +86,140 @@ fn function_() {
     var local_10: array<u32, 3>;
     var local_11: array<array<f32, 3>, 3>;
     var local_12: array<f32, 4>;
+    var phi_396_: i32;
     var phi_397_: i32;
-    var phi_398_: i32;
-    var phi_408_: bool;
+    var phi_407_: bool;
+    var phi_417_: u32;
     var phi_418_: u32;
-    var phi_419_: u32;
-    var phi_421_: bool;
-    var phi_426_: u32;
-    var phi_439_: i32;
-    var phi_459_: i32;
-    var phi_477_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_500_: f32;
-    var phi_523_: f32;
-    var phi_534_: f32;
-    var phi_543_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
-    var phi_566_: f32;
-    var phi_589_: f32;
-    var phi_600_: f32;
-    var phi_609_: f32;
-    var phi_615_: f32;
-    var phi_626_: f32;
-    var phi_632_: f32;
-    var phi_655_: f32;
-    var phi_666_: f32;
+    var phi_420_: bool;
+    var phi_425_: u32;
+    var phi_438_: i32;
+    var phi_458_: i32;
+    var phi_476_: f32;
+    var phi_482_: f32;
+    var phi_493_: f32;
+    var phi_499_: f32;
+    var phi_522_: f32;
+    var phi_533_: f32;
+    var phi_542_: f32;
+    var phi_548_: f32;
+    var phi_559_: f32;
+    var phi_565_: f32;
+    var phi_588_: f32;
+    var phi_599_: f32;
+    var phi_608_: f32;
+    var phi_614_: f32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_654_: f32;
+    var phi_665_: f32;
+    var phi_765_: f32;
     var phi_766_: f32;
-    var phi_767_: f32;
-    var phi_3557_: bool;
+    var phi_3414_: bool;
+    var phi_855_: type_34;
+    var phi_858_: type_49;
+    var phi_860_: u32;
+    var phi_862_: bool;
+    var phi_864_: u32;
+    var phi_875_: bool;
+    var phi_961_: type_49;
+    var phi_962_: bool;
+    var phi_963_: u32;
+    var phi_2424_: u32;
+    var phi_2430_: u32;
+    var phi_2684_: u32;
+    var phi_2685_: u32;
+    var phi_2695_: u32;
+    var phi_2697_: u32;
+    var phi_2698_: bool;
+    var phi_2718_: u32;
+    var phi_2719_: u32;
+    var phi_2723_: type_50;
+    var phi_3067_: type_49;
+    var phi_3144_: type_49;
+    var phi_3145_: type_49;
+    var phi_3146_: u32;
+    var phi_3148_: type_49;
+    var phi_3149_: u32;
+    var phi_3150_: bool;
+    var phi_3159_: type_49;
+    var phi_3164_: type_49;
+    var phi_3165_: bool;
+    var phi_3411_: bool;
+    var phi_982_: type_34;
+    var phi_985_: type_8;
+    var phi_986_: type_8;
+    var phi_1008_: type_8;
+    var phi_1049_: u32;
+    var phi_1055_: u32;
+    var phi_1065_: u32;
+    var phi_1081_: u32;
+    var phi_1118_: u32;
+    var phi_1124_: u32;
+    var phi_1134_: u32;
+    var phi_3396_: bool;
+    var phi_1150_: type_8;
+    var phi_1151_: type_8;
+    var phi_1174_: type_8;
+    var phi_1197_: u32;
+    var phi_1212_: u32;
+    var phi_1215_: type_8;
+    var phi_1216_: type_8;
+    var phi_1239_: type_8;
+    var phi_1305_: u32;
+    var phi_1285_: u32;
+    var phi_1286_: u32;
+    var phi_1309_: f32;
+    var phi_3389_: bool;
+    var phi_3468_: bool;
+    var phi_3467_: bool;
+    var phi_1809_: vec3<f32>;
+    var phi_1810_: vec3<f32>;
+    var phi_1841_: bool;
+    var phi_1850_: vec3<f32>;
+    var phi_1890_: type_20;
+    var phi_1892_: type_20;
+    var phi_1893_: bool;
+    var phi_1897_: type_20;
+    var phi_1898_: type_20;
+    var phi_1899_: type_20;
+    var phi_1900_: bool;
+    var phi_1904_: type_20;
+    var phi_1905_: bool;
+    var phi_1909_: type_20;
+    var phi_1910_: bool;
+    var phi_1914_: type_20;
+    var phi_1925_: type_34;
+    var phi_1926_: type_34;
+    var phi_3470_: bool;
+    var phi_983_: type_34;
+    var phi_3469_: bool;
+    var local_13: type_34;
+    var phi_3529_: bool;
+    var phi_3167_: type_34;
+    var phi_3168_: type_49;
+    var phi_3169_: bool;
+    var phi_3170_: u32;
+    var phi_3528_: bool;
+    var phi_3171_: type_34;
+    var phi_3172_: type_49;
+    var phi_3173_: u32;
+    var phi_3174_: bool;
+    var phi_3175_: u32;
+    var phi_3527_: bool;
+    var phi_3176_: type_34;
+    var phi_3177_: type_49;
+    var phi_3178_: u32;
+    var phi_3179_: bool;
+    var phi_3180_: u32;
+    var phi_3526_: bool;
     var phi_856_: type_34;
     var phi_859_: type_49;
     var phi_861_: u32;
     var phi_863_: bool;
     var phi_865_: u32;
-    var phi_876_: bool;
-    var phi_962_: type_49;
-    var phi_963_: bool;
-    var phi_964_: u32;
-    var phi_2567_: u32;
-    var phi_2573_: u32;
-    var phi_2827_: u32;
-    var phi_2828_: u32;
-    var phi_2838_: u32;
-    var phi_2840_: u32;
-    var phi_2841_: bool;
-    var phi_2861_: u32;
-    var phi_2862_: u32;
-    var phi_2866_: type_50;
-    var phi_3210_: type_49;
-    var phi_3287_: type_49;
-    var phi_3288_: type_49;
-    var phi_3289_: u32;
-    var phi_3291_: type_49;
-    var phi_3292_: u32;
-    var phi_3293_: bool;
-    var phi_3302_: type_49;
-    var phi_3307_: type_49;
-    var phi_3308_: bool;
-    var phi_3554_: bool;
-    var phi_983_: type_34;
-    var phi_986_: type_8;
-    var phi_987_: type_8;
-    var phi_1009_: type_8;
-    var phi_1050_: u32;
-    var phi_1056_: u32;
-    var phi_1066_: u32;
-    var phi_1082_: u32;
-    var phi_1119_: u32;
-    var phi_1125_: u32;
-    var phi_1135_: u32;
-    var phi_3539_: bool;
-    var phi_1151_: type_8;
-    var phi_1152_: type_8;
-    var phi_1175_: type_8;
-    var phi_1198_: u32;
-    var phi_1213_: u32;
-    var phi_1216_: type_8;
-    var phi_1217_: type_8;
-    var phi_1240_: type_8;
-    var phi_1306_: u32;
-    var phi_1286_: u32;
-    var phi_1287_: u32;
-    var phi_1310_: f32;
-    var phi_3532_: bool;
-    var phi_3611_: bool;
-    var phi_3610_: bool;
-    var phi_1810_: vec3<f32>;
-    var phi_1811_: vec3<f32>;
-    var phi_1842_: bool;
-    var phi_1851_: vec3<f32>;
-    var phi_1891_: type_20;
-    var phi_1893_: type_20;
-    var phi_1894_: bool;
-    var phi_1898_: type_20;
-    var phi_1899_: type_20;
-    var phi_1900_: type_20;
-    var phi_1901_: bool;
-    var phi_1905_: type_20;
-    var phi_1906_: bool;
-    var phi_1910_: type_20;
-    var phi_1911_: bool;
-    var phi_1915_: type_20;
-    var phi_1926_: type_34;
-    var phi_1927_: type_34;
-    var phi_3613_: bool;
-    var phi_984_: type_34;
-    var phi_3612_: bool;
-    var local_13: type_34;
-    var phi_3672_: bool;
-    var phi_3310_: type_34;
-    var phi_3311_: type_49;
-    var phi_3312_: bool;
-    var phi_3313_: u32;
-    var phi_3671_: bool;
-    var phi_3314_: type_34;
-    var phi_3315_: type_49;
-    var phi_3316_: u32;
-    var phi_3317_: bool;
-    var phi_3318_: u32;
-    var phi_3670_: bool;
-    var phi_3319_: type_34;
-    var phi_3320_: type_49;
-    var phi_3321_: u32;
-    var phi_3322_: bool;
-    var phi_3323_: u32;
-    var phi_3669_: bool;
-    var phi_857_: type_34;
-    var phi_860_: type_49;
-    var phi_862_: u32;
-    var phi_864_: bool;
-    var phi_866_: u32;
-    var phi_3324_: bool;
-    var phi_3668_: bool;
+    var phi_3181_: bool;
+    var phi_3525_: bool;
     var local_14: type_34;
     var local_15: type_34;
 
@@ -273,199 +273,199 @@ fn function_() {
                     if _e225 {
                         let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
                         if (_e228 >= 8388608u) {
-                            phi_397_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                            phi_396_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_397_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_396_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
                         }
-                        let _e242 = phi_397_;
-                        phi_398_ = _e242;
+                        let _e242 = phi_396_;
+                        phi_397_ = _e242;
                     } else {
-                        phi_398_ = 0i;
+                        phi_397_ = 0i;
                     }
-                    let _e244 = phi_398_;
+                    let _e244 = phi_397_;
                     let _e245 = (_e161 == _e200);
                     if _e245 {
-                        phi_408_ = true;
+                        phi_407_ = true;
                     } else {
-                        phi_408_ = (_e168 == _e200);
+                        phi_407_ = (_e168 == _e200);
                     }
-                    let _e248 = phi_408_;
+                    let _e248 = phi_407_;
                     let _e249 = select(1u, 0u, _e245);
                     if _e248 {
                         let _e250 = (_e249 + 1u);
+                        phi_417_ = _e250;
                         phi_418_ = _e250;
-                        phi_419_ = _e250;
-                        phi_421_ = select(true, false, (_e250 == 2u));
+                        phi_420_ = select(true, false, (_e250 == 2u));
                     } else {
-                        phi_418_ = u32();
-                        phi_419_ = 0u;
-                        phi_421_ = true;
+                        phi_417_ = u32();
+                        phi_418_ = 0u;
+                        phi_420_ = true;
                     }
-                    let _e254 = phi_418_;
-                    let _e256 = phi_419_;
-                    let _e258 = phi_421_;
+                    let _e254 = phi_417_;
+                    let _e256 = phi_418_;
+                    let _e258 = phi_420_;
                     if _e258 {
-                        phi_426_ = (_e256 + 1u);
+                        phi_425_ = (_e256 + 1u);
                     } else {
-                        phi_426_ = 0u;
+                        phi_425_ = 0u;
                     }
-                    let _e262 = phi_426_;
+                    let _e262 = phi_425_;
                     let _e263 = select(_e254, _e256, _e258);
                     let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
                     if (_e131 < -126i) {
-                        phi_439_ = -126i;
+                        phi_438_ = -126i;
                     } else {
-                        phi_439_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_438_ = select(_e131, 127i, (_e131 > 127i));
                     }
-                    let _e269 = phi_439_;
+                    let _e269 = phi_438_;
                     let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                     let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
                     let _e281 = -(_e244);
                     if (_e281 < -126i) {
-                        phi_459_ = -126i;
+                        phi_458_ = -126i;
                     } else {
-                        phi_459_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_458_ = select(_e281, 127i, (_e281 > 127i));
                     }
-                    let _e286 = phi_459_;
+                    let _e286 = phi_458_;
                     let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
                     let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
                     let _e301 = global_3.member[_e149].member;
                     let _e302 = (_e263 == 0u);
                     if _e302 {
-                        phi_477_ = _e301[0];
+                        phi_476_ = _e301[0];
                     } else {
-                        phi_477_ = _e301[1];
+                        phi_476_ = _e301[1];
                     }
-                    let _e306 = phi_477_;
+                    let _e306 = phi_476_;
                     let _e307 = (_e263 == 2u);
                     if _e307 {
-                        phi_483_ = _e301[2];
+                        phi_482_ = _e301[2];
                     } else {
-                        phi_483_ = _e306;
+                        phi_482_ = _e306;
                     }
-                    let _e310 = phi_483_;
+                    let _e310 = phi_482_;
                     let _e312 = ((_e310 * _e274) * _e280);
                     let _e313 = global_3.member[_e149].member_2;
                     if _e302 {
-                        phi_494_ = _e313[0];
+                        phi_493_ = _e313[0];
                     } else {
-                        phi_494_ = _e313[1];
+                        phi_493_ = _e313[1];
                     }
-                    let _e317 = phi_494_;
+                    let _e317 = phi_493_;
                     if _e307 {
-                        phi_500_ = _e313[2];
+                        phi_499_ = _e313[2];
                     } else {
-                        phi_500_ = _e317;
+                        phi_499_ = _e317;
                     }
-                    let _e320 = phi_500_;
+                    let _e320 = phi_499_;
                     let _e322 = ((_e320 * _e291) * _e297);
                     let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e326 {
                         let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_523_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                        phi_522_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
                     } else {
-                        phi_523_ = 0f;
+                        phi_522_ = 0f;
                     }
-                    let _e334 = phi_523_;
+                    let _e334 = phi_522_;
                     let _e335 = (_e312 + _e334);
                     let _e336 = (_e312 - _e334);
                     let _e337 = select(_e322, 0f, _e326);
                     if _e326 {
-                        phi_534_ = 38685626000000000000000000f;
+                        phi_533_ = 38685626000000000000000000f;
                     } else {
-                        phi_534_ = (1f / _e322);
+                        phi_533_ = (1f / _e322);
                     }
-                    let _e340 = phi_534_;
+                    let _e340 = phi_533_;
                     let _e341 = (_e262 == 0u);
                     if _e341 {
-                        phi_543_ = _e301[0];
+                        phi_542_ = _e301[0];
                     } else {
-                        phi_543_ = _e301[1];
+                        phi_542_ = _e301[1];
                     }
-                    let _e345 = phi_543_;
+                    let _e345 = phi_542_;
                     let _e346 = (_e262 == 2u);
                     if _e346 {
-                        phi_549_ = _e301[2];
+                        phi_548_ = _e301[2];
                     } else {
-                        phi_549_ = _e345;
+                        phi_548_ = _e345;
                     }
-                    let _e349 = phi_549_;
+                    let _e349 = phi_548_;
                     let _e351 = ((_e349 * _e274) * _e280);
                     if _e341 {
-                        phi_560_ = _e313[0];
+                        phi_559_ = _e313[0];
                     } else {
-                        phi_560_ = _e313[1];
+                        phi_559_ = _e313[1];
                     }
-                    let _e355 = phi_560_;
+                    let _e355 = phi_559_;
                     if _e346 {
-                        phi_566_ = _e313[2];
+                        phi_565_ = _e313[2];
                     } else {
-                        phi_566_ = _e355;
+                        phi_565_ = _e355;
                     }
-                    let _e358 = phi_566_;
+                    let _e358 = phi_565_;
                     let _e360 = ((_e358 * _e291) * _e297);
                     let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e364 {
                         let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
-                        phi_589_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                        phi_588_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
                     } else {
-                        phi_589_ = 0f;
+                        phi_588_ = 0f;
                     }
-                    let _e372 = phi_589_;
+                    let _e372 = phi_588_;
                     let _e373 = (_e351 + _e372);
                     let _e374 = (_e351 - _e372);
                     let _e375 = select(_e360, 0f, _e364);
                     if _e364 {
-                        phi_600_ = 38685626000000000000000000f;
+                        phi_599_ = 38685626000000000000000000f;
                     } else {
-                        phi_600_ = (1f / _e360);
+                        phi_599_ = (1f / _e360);
                     }
-                    let _e378 = phi_600_;
+                    let _e378 = phi_599_;
                     let _e379 = (_e264 == 0u);
                     if _e379 {
-                        phi_609_ = _e301[0];
+                        phi_608_ = _e301[0];
                     } else {
-                        phi_609_ = _e301[1];
+                        phi_608_ = _e301[1];
                     }
-                    let _e383 = phi_609_;
+                    let _e383 = phi_608_;
                     let _e384 = (_e264 == 2u);
                     if _e384 {
-                        phi_615_ = _e301[2];
+                        phi_614_ = _e301[2];
                     } else {
-                        phi_615_ = _e383;
+                        phi_614_ = _e383;
                     }
-                    let _e387 = phi_615_;
+                    let _e387 = phi_614_;
                     let _e389 = ((_e387 * _e274) * _e280);
                     if _e379 {
-                        phi_626_ = _e313[0];
+                        phi_625_ = _e313[0];
                     } else {
-                        phi_626_ = _e313[1];
+                        phi_625_ = _e313[1];
                     }
-                    let _e393 = phi_626_;
+                    let _e393 = phi_625_;
                     if _e384 {
-                        phi_632_ = _e313[2];
+                        phi_631_ = _e313[2];
                     } else {
-                        phi_632_ = _e393;
+                        phi_631_ = _e393;
                     }
-                    let _e396 = phi_632_;
+                    let _e396 = phi_631_;
                     let _e398 = ((_e396 * _e291) * _e297);
                     let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e402 {
                         let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_655_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
+                        phi_654_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
                     } else {
-                        phi_655_ = 0f;
+                        phi_654_ = 0f;
                     }
-                    let _e410 = phi_655_;
+                    let _e410 = phi_654_;
                     let _e411 = (_e389 + _e410);
                     let _e412 = (_e389 - _e410);
                     let _e413 = select(_e398, 0f, _e402);
                     if _e402 {
-                        phi_666_ = 38685626000000000000000000f;
+                        phi_665_ = 38685626000000000000000000f;
                     } else {
-                        phi_666_ = (1f / _e398);
+                        phi_665_ = (1f / _e398);
                     }
-                    let _e416 = phi_666_;
+                    let _e416 = phi_665_;
                     let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
                     let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
                     let _e424 = select(_e422, _e419, (_e419 > _e422));
@@ -479,14 +479,14 @@ fn function_() {
                         let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
                         let _e455 = (((_e219 * _e440) * _e440) * _e447);
                         let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        phi_766_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
-                        phi_767_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
+                        phi_765_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
+                        phi_766_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_766_ = 0f;
-                        phi_767_ = 1f;
+                        phi_765_ = 0f;
+                        phi_766_ = 1f;
                     }
-                    let _e461 = phi_766_;
-                    let _e463 = phi_767_;
+                    let _e461 = phi_765_;
+                    let _e463 = phi_766_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -531,999 +531,1002 @@ fn function_() {
                         break;
                     }
                     let _e495 = local[_e479];
-                    phi_3557_ = false;
-                    phi_856_ = type_34(_e461, false);
-                    phi_859_ = type_49(type_24(vec4<f32>((f32(_e470) * _e143), (f32(_e476) * _e143), (f32(_e482) * _e143), 0f), vec4<f32>((f32(_e487) * _e143), (f32(_e491) * _e143), (f32(_e495) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
-                    phi_861_ = ((3u * _e92) + 1u);
-                    phi_863_ = (_e463 <= _e461);
-                    phi_865_ = 0u;
+                    phi_3414_ = false;
+                    phi_855_ = type_34(_e461, false);
+                    phi_858_ = type_49(type_24(vec4<f32>((f32(_e470) * _e143), (f32(_e476) * _e143), (f32(_e482) * _e143), 0f), vec4<f32>((f32(_e487) * _e143), (f32(_e491) * _e143), (f32(_e495) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_860_ = ((3u * _e92) + 1u);
+                    phi_862_ = (_e463 <= _e461);
+                    phi_864_ = 0u;
                     loop {
-                        let _e505 = phi_3557_;
-                        let _e507 = phi_856_;
-                        let _e509 = phi_859_;
-                        let _e511 = phi_861_;
-                        let _e513 = phi_863_;
-                        let _e515 = phi_865_;
+                        let _e505 = phi_3414_;
+                        let _e507 = phi_855_;
+                        let _e509 = phi_858_;
+                        let _e511 = phi_860_;
+                        let _e513 = phi_862_;
+                        let _e515 = phi_864_;
                         local_14 = _e507;
                         if _e513 {
-                            phi_876_ = true;
+                            phi_875_ = true;
                         } else {
-                            phi_876_ = (_e515 > 0u);
+                            phi_875_ = (_e515 > 0u);
                         }
-                        let _e518 = phi_876_;
+                        let _e518 = phi_875_;
                         if _e518 {
                             let _e519 = (_e511 > 0u);
                             if _e519 {
                                 if _e513 {
-                                    phi_962_ = _e509;
-                                    phi_963_ = _e513;
-                                    phi_964_ = _e515;
+                                    phi_961_ = _e509;
+                                    phi_962_ = _e513;
+                                    phi_963_ = _e515;
                                 } else {
                                     let _e520 = (_e515 - 1u);
                                     let _e521 = (_e520 % 128u);
                                     let _e522 = (_e521 < 128u);
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e524 = local_7[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e526 = local_6[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e528 = local_5[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e530 = local_4[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e532 = local_3[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e534 = local_2[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e539 = local_8[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3668_ = true;
+                                        phi_3525_ = true;
                                         break;
                                     }
                                     let _e542 = local_9[_e521];
-                                    phi_962_ = type_49(type_24(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
-                                    phi_963_ = (_e542 <= _e507.member);
-                                    phi_964_ = _e520;
+                                    phi_961_ = type_49(type_24(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
+                                    phi_962_ = (_e542 <= _e507.member);
+                                    phi_963_ = _e520;
                                 }
-                                let _e546 = phi_962_;
-                                let _e548 = phi_963_;
-                                let _e550 = phi_964_;
+                                let _e546 = phi_961_;
+                                let _e548 = phi_962_;
+                                let _e550 = phi_963_;
                                 if _e548 {
                                     let _e555 = (_e546.member_1 & 268435455u);
                                     if ((_e546.member_1 & 2147483648u) != 0u) {
-                                        phi_3554_ = _e505;
-                                        phi_983_ = _e507;
-                                        phi_986_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3411_ = _e505;
+                                        phi_982_ = _e507;
+                                        phi_985_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1036 = phi_3554_;
-                                            let _e1038 = phi_983_;
-                                            let _e1040 = phi_986_;
-                                            local_13 = _e1038;
-                                            local_15 = _e1038;
-                                            if (_e1040.member < _e1040.member_1) {
-                                                phi_987_ = type_8((_e1040.member + 1u), _e1040.member_1);
-                                                phi_1009_ = type_8(1u, _e1040.member);
+                                            let _e1033 = phi_3411_;
+                                            let _e1035 = phi_982_;
+                                            let _e1037 = phi_985_;
+                                            local_13 = _e1035;
+                                            local_15 = _e1035;
+                                            if (_e1037.member < _e1037.member_1) {
+                                                phi_986_ = type_8((_e1037.member + 1u), _e1037.member_1);
+                                                phi_1008_ = type_8(1u, _e1037.member);
                                             } else {
-                                                phi_987_ = _e1040;
-                                                phi_1009_ = type_8(0u, type_8().member_1);
+                                                phi_986_ = _e1037;
+                                                phi_1008_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1053 = phi_987_;
-                                            let _e1055 = phi_1009_;
-                                            let _e1059 = (bitcast<i32>(_e1055.member) != 0i);
-                                            if _e1059 {
-                                                let _e1064 = (_e546.member.member_1.x - _e546.member.member.x);
-                                                let _e1067 = (_e546.member.member_1.y - _e546.member.member.y);
-                                                let _e1070 = (_e546.member.member_1.z - _e546.member.member.z);
-                                                let _e1072 = select(_e1067, _e1064, (_e1064 > _e1067));
-                                                let _e1074 = select(_e1070, _e1072, (_e1072 > _e1070));
-                                                let _e1076 = (_e1074 < (1024f * _e143));
-                                                if _e1076 {
-                                                    phi_1050_ = 0u;
+                                            let _e1050 = phi_986_;
+                                            let _e1052 = phi_1008_;
+                                            let _e1056 = (bitcast<i32>(_e1052.member) != 0i);
+                                            if _e1056 {
+                                                let _e1061 = (_e546.member.member_1.x - _e546.member.member.x);
+                                                let _e1064 = (_e546.member.member_1.y - _e546.member.member.y);
+                                                let _e1067 = (_e546.member.member_1.z - _e546.member.member.z);
+                                                let _e1069 = select(_e1064, _e1061, (_e1061 > _e1064));
+                                                let _e1071 = select(_e1067, _e1069, (_e1069 > _e1067));
+                                                let _e1073 = (_e1071 < (1024f * _e143));
+                                                if _e1073 {
+                                                    phi_1049_ = 0u;
                                                 } else {
-                                                    phi_1050_ = select(2u, 1u, (_e1074 < (2097152f * _e143)));
+                                                    phi_1049_ = select(2u, 1u, (_e1071 < (2097152f * _e143)));
                                                 }
-                                                let _e1081 = phi_1050_;
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1078 = phi_1049_;
+                                                switch bitcast<i32>(_e1078) {
                                                     case 0: {
-                                                        phi_1056_ = 1u;
+                                                        phi_1055_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1056_ = 2u;
+                                                        phi_1055_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1056_ = 3u;
+                                                        phi_1055_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1056_ = u32();
+                                                        phi_1055_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1084 = phi_1056_;
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1081 = phi_1055_;
+                                                switch bitcast<i32>(_e1078) {
                                                     case 0: {
-                                                        phi_1066_ = 1u;
+                                                        phi_1065_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1066_ = 2u;
+                                                        phi_1065_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1066_ = 3u;
+                                                        phi_1065_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1066_ = u32();
+                                                        phi_1065_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1091 = phi_1066_;
-                                                let _e1093 = ((_e555 + (_e1055.member_1 * ((3u * _e1084) + 1u))) + (3u * _e1091));
-                                                let _e1094 = (_e1093 < _e95);
-                                                if _e1094 {
-                                                    if _e1094 {
+                                                let _e1088 = phi_1065_;
+                                                let _e1090 = ((_e555 + (_e1052.member_1 * ((3u * _e1081) + 1u))) + (3u * _e1088));
+                                                let _e1091 = (_e1090 < _e95);
+                                                if _e1091 {
+                                                    if _e1091 {
                                                     } else {
-                                                        phi_3612_ = true;
+                                                        phi_3469_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_6.member[_e1093];
-                                                    phi_1082_ = _e1096;
+                                                    let _e1093 = global_6.member[_e1090];
+                                                    phi_1081_ = _e1093;
                                                 } else {
-                                                    phi_1082_ = 4294967295u;
+                                                    phi_1081_ = 4294967295u;
                                                 }
-                                                let _e1098 = phi_1082_;
+                                                let _e1095 = phi_1081_;
                                                 local_10 = array<u32, 3>(_e263, _e262, _e264);
-                                                if _e1076 {
-                                                    phi_1119_ = 0u;
+                                                if _e1073 {
+                                                    phi_1118_ = 0u;
                                                 } else {
-                                                    phi_1119_ = select(2u, 1u, (_e1074 < (2097152f * _e143)));
+                                                    phi_1118_ = select(2u, 1u, (_e1071 < (2097152f * _e143)));
                                                 }
-                                                let _e1104 = phi_1119_;
-                                                switch bitcast<i32>(_e1104) {
+                                                let _e1101 = phi_1118_;
+                                                switch bitcast<i32>(_e1101) {
                                                     case 0: {
-                                                        phi_1125_ = 1u;
+                                                        phi_1124_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1125_ = 2u;
+                                                        phi_1124_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1125_ = 3u;
+                                                        phi_1124_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1125_ = u32();
+                                                        phi_1124_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1107 = phi_1125_;
-                                                switch bitcast<i32>(_e1104) {
+                                                let _e1104 = phi_1124_;
+                                                switch bitcast<i32>(_e1101) {
                                                     case 0: {
-                                                        phi_1135_ = 1u;
+                                                        phi_1134_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1135_ = 2u;
+                                                        phi_1134_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1135_ = 3u;
+                                                        phi_1134_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1135_ = u32();
+                                                        phi_1134_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1114 = phi_1135_;
+                                                let _e1111 = phi_1134_;
                                                 local_12 = array<f32, 4>(_e546.member.member.x, _e546.member.member.y, _e546.member.member.z, _e546.member.member.w);
                                                 local_11[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3539_ = _e1036;
-                                                phi_1151_ = type_8(0u, 3u);
+                                                phi_3396_ = _e1033;
+                                                phi_1150_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1128 = phi_3539_;
-                                                    let _e1130 = phi_1151_;
-                                                    if (_e1130.member < _e1130.member_1) {
-                                                        phi_1152_ = type_8((_e1130.member + 1u), _e1130.member_1);
-                                                        phi_1175_ = type_8(1u, _e1130.member);
+                                                    let _e1125 = phi_3396_;
+                                                    let _e1127 = phi_1150_;
+                                                    if (_e1127.member < _e1127.member_1) {
+                                                        phi_1151_ = type_8((_e1127.member + 1u), _e1127.member_1);
+                                                        phi_1174_ = type_8(1u, _e1127.member);
                                                     } else {
-                                                        phi_1152_ = _e1130;
-                                                        phi_1175_ = type_8(0u, type_8().member_1);
+                                                        phi_1151_ = _e1127;
+                                                        phi_1174_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1143 = phi_1152_;
-                                                    let _e1145 = phi_1175_;
-                                                    let _e1149 = (bitcast<i32>(_e1145.member) != 0i);
-                                                    if _e1149 {
-                                                        let _e1151 = ((_e555 + (_e1055.member_1 * ((3u * _e1107) + 1u))) + (_e1145.member_1 * _e1114));
-                                                        let _e1152 = (_e1151 < _e95);
-                                                        if _e1152 {
-                                                            if _e1152 {
+                                                    let _e1140 = phi_1151_;
+                                                    let _e1142 = phi_1174_;
+                                                    let _e1146 = (bitcast<i32>(_e1142.member) != 0i);
+                                                    if _e1146 {
+                                                        let _e1148 = ((_e555 + (_e1052.member_1 * ((3u * _e1104) + 1u))) + (_e1142.member_1 * _e1111));
+                                                        let _e1149 = (_e1148 < _e95);
+                                                        if _e1149 {
+                                                            if _e1149 {
                                                             } else {
-                                                                phi_3610_ = true;
+                                                                phi_3467_ = true;
                                                                 break;
                                                             }
-                                                            let _e1154 = global_6.member[_e1151];
-                                                            phi_1198_ = _e1154;
+                                                            let _e1151 = global_6.member[_e1148];
+                                                            phi_1197_ = _e1151;
                                                         } else {
-                                                            phi_1198_ = 0u;
+                                                            phi_1197_ = 0u;
                                                         }
-                                                        let _e1156 = phi_1198_;
-                                                        let _e1157 = (_e1151 + 1u);
-                                                        let _e1158 = (_e1157 < _e95);
-                                                        if _e1158 {
-                                                            if _e1158 {
+                                                        let _e1153 = phi_1197_;
+                                                        let _e1154 = (_e1148 + 1u);
+                                                        let _e1155 = (_e1154 < _e95);
+                                                        if _e1155 {
+                                                            if _e1155 {
                                                             } else {
-                                                                phi_3610_ = true;
+                                                                phi_3467_ = true;
                                                                 break;
                                                             }
-                                                            let _e1160 = global_6.member[_e1157];
-                                                            phi_1213_ = _e1160;
+                                                            let _e1157 = global_6.member[_e1154];
+                                                            phi_1212_ = _e1157;
                                                         } else {
-                                                            phi_1213_ = 0u;
+                                                            phi_1212_ = 0u;
                                                         }
-                                                        let _e1162 = phi_1213_;
-                                                        phi_1216_ = type_8(0u, 3u);
+                                                        let _e1159 = phi_1212_;
+                                                        phi_1215_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1164 = phi_1216_;
-                                                            if (_e1164.member < _e1164.member_1) {
-                                                                phi_1217_ = type_8((_e1164.member + 1u), _e1164.member_1);
-                                                                phi_1240_ = type_8(1u, _e1164.member);
+                                                            let _e1161 = phi_1215_;
+                                                            if (_e1161.member < _e1161.member_1) {
+                                                                phi_1216_ = type_8((_e1161.member + 1u), _e1161.member_1);
+                                                                phi_1239_ = type_8(1u, _e1161.member);
                                                             } else {
-                                                                phi_1217_ = _e1164;
-                                                                phi_1240_ = type_8(0u, type_8().member_1);
+                                                                phi_1216_ = _e1161;
+                                                                phi_1239_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1177 = phi_1217_;
-                                                            let _e1179 = phi_1240_;
-                                                            let _e1183 = (bitcast<i32>(_e1179.member) != 0i);
-                                                            if _e1183 {
-                                                                let _e1184 = (_e1179.member_1 < 3u);
-                                                                if _e1184 {
+                                                            let _e1174 = phi_1216_;
+                                                            let _e1176 = phi_1239_;
+                                                            let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                                            if _e1180 {
+                                                                let _e1181 = (_e1176.member_1 < 3u);
+                                                                if _e1181 {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1186 = local_10[_e1179.member_1];
-                                                                if (_e1179.member_1 < 4u) {
+                                                                let _e1183 = local_10[_e1176.member_1];
+                                                                if (_e1176.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1189 = local_12[_e1179.member_1];
-                                                                switch bitcast<i32>(_e1104) {
+                                                                let _e1186 = local_12[_e1176.member_1];
+                                                                switch bitcast<i32>(_e1101) {
                                                                     case 0: {
-                                                                        phi_1310_ = (_e1189 + (f32(((_e1156 >> bitcast<u32>(((10u * _e1186) & 31u))) & 1023u)) * _e143));
+                                                                        phi_1309_ = (_e1186 + (f32(((_e1153 >> bitcast<u32>(((10u * _e1183) & 31u))) & 1023u)) * _e143));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1186 == 0u) {
-                                                                            phi_1287_ = _e1156;
+                                                                        if (_e1183 == 0u) {
+                                                                            phi_1286_ = _e1153;
                                                                         } else {
-                                                                            if (_e1186 == 1u) {
-                                                                                phi_1286_ = ((_e1156 >> bitcast<u32>(21i)) | (_e1162 << bitcast<u32>(11i)));
+                                                                            if (_e1183 == 1u) {
+                                                                                phi_1285_ = ((_e1153 >> bitcast<u32>(21i)) | (_e1159 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1286_ = (_e1162 >> bitcast<u32>(10i));
+                                                                                phi_1285_ = (_e1159 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1210 = phi_1286_;
-                                                                            phi_1287_ = _e1210;
+                                                                            let _e1207 = phi_1285_;
+                                                                            phi_1286_ = _e1207;
                                                                         }
-                                                                        let _e1212 = phi_1287_;
-                                                                        phi_1310_ = (_e1189 + (f32((_e1212 & 2097151u)) * _e143));
+                                                                        let _e1209 = phi_1286_;
+                                                                        phi_1309_ = (_e1186 + (f32((_e1209 & 2097151u)) * _e143));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1191 = (_e1151 + _e1186);
-                                                                        let _e1192 = (_e1191 < _e95);
-                                                                        if _e1192 {
-                                                                            if _e1192 {
+                                                                        let _e1188 = (_e1148 + _e1183);
+                                                                        let _e1189 = (_e1188 < _e95);
+                                                                        if _e1189 {
+                                                                            if _e1189 {
                                                                             } else {
-                                                                                phi_3532_ = true;
+                                                                                phi_3389_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1194 = global_6.member[_e1191];
-                                                                            phi_1306_ = _e1194;
+                                                                            let _e1191 = global_6.member[_e1188];
+                                                                            phi_1305_ = _e1191;
                                                                         } else {
-                                                                            phi_1306_ = 0u;
+                                                                            phi_1305_ = 0u;
                                                                         }
-                                                                        let _e1196 = phi_1306_;
-                                                                        phi_1310_ = (f32(bitcast<i32>(_e1196)) * _e143);
+                                                                        let _e1193 = phi_1305_;
+                                                                        phi_1309_ = (f32(bitcast<i32>(_e1193)) * _e143);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1310_ = f32();
+                                                                        phi_1309_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1226 = phi_1310_;
-                                                                if (_e1145.member_1 < 3u) {
+                                                                let _e1223 = phi_1309_;
+                                                                if (_e1142.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1184 {
+                                                                if _e1181 {
                                                                 } else {
-                                                                    phi_3532_ = true;
+                                                                    phi_3389_ = true;
                                                                     break;
                                                                 }
-                                                                local_11[_e1145.member_1][_e1179.member_1] = _e1226;
+                                                                local_11[_e1142.member_1][_e1176.member_1] = _e1223;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1216_ = _e1177;
-                                                                phi_3532_ = _e1128;
-                                                                break if !(_e1183);
+                                                                phi_1215_ = _e1174;
+                                                                phi_3389_ = _e1125;
+                                                                break if !(_e1180);
                                                             }
                                                         }
-                                                        let _e1232 = phi_3532_;
-                                                        phi_3610_ = _e1232;
-                                                        if _e1232 {
+                                                        let _e1229 = phi_3389_;
+                                                        phi_3467_ = _e1229;
+                                                        if _e1229 {
                                                             break;
                                                         }
-                                                        phi_3611_ = _e1232;
+                                                        phi_3468_ = _e1229;
                                                     } else {
-                                                        phi_3611_ = _e1128;
+                                                        phi_3468_ = _e1125;
                                                     }
-                                                    let _e1234 = phi_3611_;
+                                                    let _e1231 = phi_3468_;
                                                     continue;
                                                     continuing {
-                                                        phi_3539_ = _e1234;
-                                                        phi_1151_ = _e1143;
-                                                        phi_3610_ = _e1234;
-                                                        break if !(_e1149);
+                                                        phi_3396_ = _e1231;
+                                                        phi_1150_ = _e1140;
+                                                        phi_3467_ = _e1231;
+                                                        break if !(_e1146);
                                                     }
                                                 }
-                                                let _e1237 = phi_3610_;
-                                                phi_3612_ = _e1237;
-                                                if _e1237 {
+                                                let _e1234 = phi_3467_;
+                                                phi_3469_ = _e1234;
+                                                if _e1234 {
                                                     break;
                                                 }
-                                                let _e1238 = local_11;
-                                                let _e1254 = (_e1238[0][2] - _e389);
-                                                let _e1257 = (((_e1238[0][0] - _e312) * _e413) - (_e1254 * _e337));
-                                                let _e1260 = (((_e1238[0][1] - _e351) * _e413) - (_e1254 * _e375));
-                                                let _e1263 = (_e1238[1][2] - _e389);
-                                                let _e1266 = (((_e1238[1][0] - _e312) * _e413) - (_e1263 * _e337));
-                                                let _e1269 = (((_e1238[1][1] - _e351) * _e413) - (_e1263 * _e375));
-                                                let _e1272 = (_e1238[2][2] - _e389);
-                                                let _e1275 = (((_e1238[2][0] - _e312) * _e413) - (_e1272 * _e337));
-                                                let _e1278 = (((_e1238[2][1] - _e351) * _e413) - (_e1272 * _e375));
-                                                let _e1279 = (_e1275 * _e1269);
-                                                let _e1280 = (_e1278 * _e1266);
-                                                let _e1281 = (_e1257 * _e1278);
-                                                let _e1282 = (_e1260 * _e1275);
-                                                let _e1283 = (_e1266 * _e1260);
-                                                let _e1284 = (_e1269 * _e1257);
-                                                let _e1289 = (((_e1279 >= _e1280) && (_e1281 >= _e1282)) && (_e1283 >= _e1284));
-                                                if (_e1289 || (((_e1279 <= _e1280) && (_e1281 <= _e1282)) && (_e1283 <= _e1284))) {
-                                                    let _e1296 = select(-1f, 1f, _e1289);
-                                                    let _e1298 = ((_e1279 - _e1280) * _e1296);
-                                                    let _e1300 = select(0f, _e1298, (_e1298 > 0f));
-                                                    let _e1302 = ((_e1281 - _e1282) * _e1296);
-                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
-                                                    let _e1306 = ((_e1283 - _e1284) * _e1296);
-                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
-                                                    let _e1310 = ((_e1300 + _e1304) + _e1308);
-                                                    if (_e1310 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1905_ = type_20();
-                                                        phi_1906_ = true;
+                                                let _e1235 = local_11;
+                                                let _e1251 = (_e1235[0][2] - _e389);
+                                                let _e1254 = (((_e1235[0][0] - _e312) * _e413) - (_e1251 * _e337));
+                                                let _e1257 = (((_e1235[0][1] - _e351) * _e413) - (_e1251 * _e375));
+                                                let _e1260 = (_e1235[1][2] - _e389);
+                                                let _e1263 = (((_e1235[1][0] - _e312) * _e413) - (_e1260 * _e337));
+                                                let _e1266 = (((_e1235[1][1] - _e351) * _e413) - (_e1260 * _e375));
+                                                let _e1269 = (_e1235[2][2] - _e389);
+                                                let _e1272 = (((_e1235[2][0] - _e312) * _e413) - (_e1269 * _e337));
+                                                let _e1275 = (((_e1235[2][1] - _e351) * _e413) - (_e1269 * _e375));
+                                                let _e1276 = (_e1272 * _e1266);
+                                                let _e1277 = (_e1275 * _e1263);
+                                                let _e1278 = (_e1254 * _e1275);
+                                                let _e1279 = (_e1257 * _e1272);
+                                                let _e1280 = (_e1263 * _e1257);
+                                                let _e1281 = (_e1266 * _e1254);
+                                                let _e1286 = (((_e1276 >= _e1277) && (_e1278 >= _e1279)) && (_e1280 >= _e1281));
+                                                if (_e1286 || (((_e1276 <= _e1277) && (_e1278 <= _e1279)) && (_e1280 <= _e1281))) {
+                                                    let _e1293 = select(-1f, 1f, _e1286);
+                                                    let _e1295 = ((_e1276 - _e1277) * _e1293);
+                                                    let _e1297 = select(0f, _e1295, (_e1295 > 0f));
+                                                    let _e1299 = ((_e1278 - _e1279) * _e1293);
+                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
+                                                    let _e1303 = ((_e1280 - _e1281) * _e1293);
+                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
+                                                    let _e1307 = ((_e1297 + _e1301) + _e1305);
+                                                    if (_e1307 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1904_ = type_20();
+                                                        phi_1905_ = true;
                                                     } else {
-                                                        let _e1313 = select(_e1238[1][0], _e1238[0][0], (_e1238[0][0] < _e1238[1][0]));
-                                                        let _e1317 = select(_e1238[1][0], _e1238[0][0], (_e1238[0][0] > _e1238[1][0]));
-                                                        let _e1321 = select(_e1238[1][1], _e1238[0][1], (_e1238[0][1] < _e1238[1][1]));
-                                                        let _e1325 = select(_e1238[1][1], _e1238[0][1], (_e1238[0][1] > _e1238[1][1]));
-                                                        let _e1329 = select(_e1238[1][2], _e1238[0][2], (_e1238[0][2] < _e1238[1][2]));
-                                                        let _e1333 = select(_e1238[1][2], _e1238[0][2], (_e1238[0][2] > _e1238[1][2]));
-                                                        let _e1338 = ((select(_e1238[2][0], _e1313, (_e1313 < _e1238[2][0])) - _e335) * _e340);
-                                                        let _e1339 = ((select(_e1238[2][0], _e1317, (_e1317 > _e1238[2][0])) - _e336) * _e340);
-                                                        let _e1342 = ((select(_e1238[2][1], _e1321, (_e1321 < _e1238[2][1])) - _e373) * _e378);
-                                                        let _e1343 = ((select(_e1238[2][1], _e1325, (_e1325 > _e1238[2][1])) - _e374) * _e378);
-                                                        let _e1346 = ((select(_e1238[2][2], _e1329, (_e1329 < _e1238[2][2])) - _e411) * _e416);
-                                                        let _e1347 = ((select(_e1238[2][2], _e1333, (_e1333 > _e1238[2][2])) - _e412) * _e416);
-                                                        let _e1349 = select(_e1347, _e1346, (_e1346 < _e1347));
-                                                        let _e1351 = select(_e1347, _e1346, (_e1346 > _e1347));
-                                                        let _e1353 = select(_e1339, _e1338, (_e1338 < _e1339));
-                                                        let _e1355 = select(_e1343, _e1342, (_e1342 < _e1343));
-                                                        let _e1357 = select(_e1355, _e1353, (_e1353 > _e1355));
-                                                        let _e1359 = select(_e1349, _e1357, (_e1357 > _e1349));
-                                                        let _e1361 = select(_e1339, _e1338, (_e1338 > _e1339));
-                                                        let _e1363 = select(_e1343, _e1342, (_e1342 > _e1343));
-                                                        let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
-                                                        let _e1367 = select(_e1351, _e1365, (_e1365 < _e1351));
-                                                        let _e1368 = -(_e1349);
-                                                        let _e1374 = select(_e463, _e1359, (_e1359 > _e463));
-                                                        if (_e1374 > (_e1367 + (select(_e1368, _e1351, (_e1351 > _e1368)) * 0.0000019073523f))) {
-                                                            phi_1900_ = type_20();
-                                                            phi_1901_ = true;
+                                                        let _e1310 = select(_e1235[1][0], _e1235[0][0], (_e1235[0][0] < _e1235[1][0]));
+                                                        let _e1314 = select(_e1235[1][0], _e1235[0][0], (_e1235[0][0] > _e1235[1][0]));
+                                                        let _e1318 = select(_e1235[1][1], _e1235[0][1], (_e1235[0][1] < _e1235[1][1]));
+                                                        let _e1322 = select(_e1235[1][1], _e1235[0][1], (_e1235[0][1] > _e1235[1][1]));
+                                                        let _e1326 = select(_e1235[1][2], _e1235[0][2], (_e1235[0][2] < _e1235[1][2]));
+                                                        let _e1330 = select(_e1235[1][2], _e1235[0][2], (_e1235[0][2] > _e1235[1][2]));
+                                                        let _e1335 = ((select(_e1235[2][0], _e1310, (_e1310 < _e1235[2][0])) - _e335) * _e340);
+                                                        let _e1336 = ((select(_e1235[2][0], _e1314, (_e1314 > _e1235[2][0])) - _e336) * _e340);
+                                                        let _e1339 = ((select(_e1235[2][1], _e1318, (_e1318 < _e1235[2][1])) - _e373) * _e378);
+                                                        let _e1340 = ((select(_e1235[2][1], _e1322, (_e1322 > _e1235[2][1])) - _e374) * _e378);
+                                                        let _e1343 = ((select(_e1235[2][2], _e1326, (_e1326 < _e1235[2][2])) - _e411) * _e416);
+                                                        let _e1344 = ((select(_e1235[2][2], _e1330, (_e1330 > _e1235[2][2])) - _e412) * _e416);
+                                                        let _e1346 = select(_e1344, _e1343, (_e1343 < _e1344));
+                                                        let _e1348 = select(_e1344, _e1343, (_e1343 > _e1344));
+                                                        let _e1350 = select(_e1336, _e1335, (_e1335 < _e1336));
+                                                        let _e1352 = select(_e1340, _e1339, (_e1339 < _e1340));
+                                                        let _e1354 = select(_e1352, _e1350, (_e1350 > _e1352));
+                                                        let _e1356 = select(_e1346, _e1354, (_e1354 > _e1346));
+                                                        let _e1358 = select(_e1336, _e1335, (_e1335 > _e1336));
+                                                        let _e1360 = select(_e1340, _e1339, (_e1339 > _e1340));
+                                                        let _e1362 = select(_e1360, _e1358, (_e1358 < _e1360));
+                                                        let _e1364 = select(_e1348, _e1362, (_e1362 < _e1348));
+                                                        let _e1365 = -(_e1346);
+                                                        let _e1371 = select(_e463, _e1356, (_e1356 > _e463));
+                                                        if (_e1371 > (_e1364 + (select(_e1365, _e1348, (_e1348 > _e1365)) * 0.0000019073523f))) {
+                                                            phi_1899_ = type_20();
+                                                            phi_1900_ = true;
                                                         } else {
-                                                            let _e1376 = (_e1374 > _e1038.member);
-                                                            if _e1376 {
-                                                                phi_1899_ = type_20();
+                                                            let _e1373 = (_e1371 > _e1035.member);
+                                                            if _e1373 {
+                                                                phi_1898_ = type_20();
                                                             } else {
-                                                                let _e1380 = (_e1238[1][0] - _e1238[0][0]);
-                                                                let _e1381 = (_e1238[1][1] - _e1238[0][1]);
-                                                                let _e1382 = (_e1238[1][2] - _e1238[0][2]);
-                                                                let _e1383 = vec3<f32>(_e1380, _e1381, _e1382);
-                                                                let _e1384 = (_e1238[2][0] - _e1238[1][0]);
-                                                                let _e1385 = (_e1238[2][1] - _e1238[1][1]);
-                                                                let _e1386 = (_e1238[2][2] - _e1238[1][2]);
-                                                                let _e1387 = vec3<f32>(_e1384, _e1385, _e1386);
-                                                                let _e1388 = (_e1238[0][0] - _e1238[2][0]);
-                                                                let _e1389 = (_e1238[0][1] - _e1238[2][1]);
-                                                                let _e1390 = (_e1238[0][2] - _e1238[2][2]);
-                                                                let _e1391 = vec3<f32>(_e1388, _e1389, _e1390);
-                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
-                                                                let _e1397 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1399 = select(_e1397, _e1394, (_e1394 > _e1397));
-                                                                let _e1402 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1404 = select(_e1402, _e1399, (_e1399 > _e1402));
-                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1384) & 2147483647u));
-                                                                let _e1410 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                let _e1415 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1417 = select(_e1415, _e1412, (_e1412 > _e1415));
-                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u));
-                                                                let _e1423 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
-                                                                let _e1428 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                let _e1432 = select(_e1417, _e1404, (_e1404 > _e1417));
-                                                                let _e1434 = select(_e1430, _e1432, (_e1432 > _e1430));
-                                                                if (_e1404 == _e1434) {
-                                                                    phi_1810_ = _e1387;
-                                                                    phi_1811_ = _e1391;
+                                                                let _e1377 = (_e1235[1][0] - _e1235[0][0]);
+                                                                let _e1378 = (_e1235[1][1] - _e1235[0][1]);
+                                                                let _e1379 = (_e1235[1][2] - _e1235[0][2]);
+                                                                let _e1380 = vec3<f32>(_e1377, _e1378, _e1379);
+                                                                let _e1381 = (_e1235[2][0] - _e1235[1][0]);
+                                                                let _e1382 = (_e1235[2][1] - _e1235[1][1]);
+                                                                let _e1383 = (_e1235[2][2] - _e1235[1][2]);
+                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
+                                                                let _e1385 = (_e1235[0][0] - _e1235[2][0]);
+                                                                let _e1386 = (_e1235[0][1] - _e1235[2][1]);
+                                                                let _e1387 = (_e1235[0][2] - _e1235[2][2]);
+                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
+                                                                let _e1391 = bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u));
+                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
+                                                                let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
+                                                                let _e1399 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
+                                                                let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
+                                                                let _e1404 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
+                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
+                                                                let _e1409 = select(_e1407, _e1404, (_e1404 > _e1407));
+                                                                let _e1412 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1414 = select(_e1412, _e1409, (_e1409 > _e1412));
+                                                                let _e1417 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
+                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
+                                                                let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
+                                                                let _e1425 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
+                                                                let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
+                                                                let _e1429 = select(_e1414, _e1401, (_e1401 > _e1414));
+                                                                let _e1431 = select(_e1427, _e1429, (_e1429 > _e1427));
+                                                                if (_e1401 == _e1431) {
+                                                                    phi_1809_ = _e1384;
+                                                                    phi_1810_ = _e1388;
                                                                 } else {
-                                                                    let _e1437 = vec3((_e1417 == _e1434));
-                                                                    phi_1810_ = select(_e1383, _e1391, _e1437);
-                                                                    phi_1811_ = select(_e1387, _e1383, _e1437);
+                                                                    let _e1434 = vec3((_e1414 == _e1431));
+                                                                    phi_1809_ = select(_e1380, _e1388, _e1434);
+                                                                    phi_1810_ = select(_e1384, _e1380, _e1434);
                                                                 }
-                                                                let _e1441 = phi_1810_;
-                                                                let _e1443 = phi_1811_;
-                                                                let _e1450 = ((_e1441.y * _e1443.z) - (_e1443.y * _e1441.z));
-                                                                let _e1455 = ((_e1441.z * _e1443.x) - (_e1443.z * _e1441.x));
-                                                                let _e1458 = ((_e1441.x * _e1443.y) - (_e1443.x * _e1441.y));
-                                                                if (_e1300 >= _e1304) {
-                                                                    phi_1842_ = select(true, false, (_e1300 >= _e1308));
+                                                                let _e1438 = phi_1809_;
+                                                                let _e1440 = phi_1810_;
+                                                                let _e1447 = ((_e1438.y * _e1440.z) - (_e1440.y * _e1438.z));
+                                                                let _e1452 = ((_e1438.z * _e1440.x) - (_e1440.z * _e1438.x));
+                                                                let _e1455 = ((_e1438.x * _e1440.y) - (_e1440.x * _e1438.y));
+                                                                if (_e1297 >= _e1301) {
+                                                                    phi_1841_ = select(true, false, (_e1297 >= _e1305));
                                                                 } else {
-                                                                    phi_1842_ = true;
+                                                                    phi_1841_ = true;
                                                                 }
-                                                                let _e1463 = phi_1842_;
-                                                                if _e1463 {
-                                                                    phi_1851_ = select(vec3<f32>(_e1238[2][0], _e1238[2][1], _e1238[2][2]), vec3<f32>(_e1238[1][0], _e1238[1][1], _e1238[1][2]), vec3((_e1304 >= _e1308)));
+                                                                let _e1460 = phi_1841_;
+                                                                if _e1460 {
+                                                                    phi_1850_ = select(vec3<f32>(_e1235[2][0], _e1235[2][1], _e1235[2][2]), vec3<f32>(_e1235[1][0], _e1235[1][1], _e1235[1][2]), vec3((_e1301 >= _e1305)));
                                                                 } else {
-                                                                    phi_1851_ = vec3<f32>(_e1238[0][0], _e1238[0][1], _e1238[0][2]);
+                                                                    phi_1850_ = vec3<f32>(_e1235[0][0], _e1235[0][1], _e1235[0][2]);
                                                                 }
-                                                                let _e1468 = phi_1851_;
-                                                                let _e1485 = ((((_e1450 * (_e1468.x - _e312)) + (_e1455 * (_e1468.y - _e351))) + (_e1458 * (_e1468.z - _e389))) / (((_e1450 * _e337) + (_e1455 * _e375)) + (_e1458 * _e413)));
-                                                                let _e1487 = select(_e1367, _e1485, (_e1485 < _e1367));
-                                                                let _e1489 = select(_e1359, _e1487, (_e1487 > _e1359));
-                                                                if (_e1489 >= _e463) {
-                                                                    let _e1491 = (_e1489 <= _e1038.member);
-                                                                    if _e1491 {
-                                                                        let _e1492 = (1f / _e1310);
-                                                                        phi_1891_ = type_20(_e1489, (_e1304 * _e1492), (_e1308 * _e1492), _e1098);
+                                                                let _e1465 = phi_1850_;
+                                                                let _e1482 = ((((_e1447 * (_e1465.x - _e312)) + (_e1452 * (_e1465.y - _e351))) + (_e1455 * (_e1465.z - _e389))) / (((_e1447 * _e337) + (_e1452 * _e375)) + (_e1455 * _e413)));
+                                                                let _e1484 = select(_e1364, _e1482, (_e1482 < _e1364));
+                                                                let _e1486 = select(_e1356, _e1484, (_e1484 > _e1356));
+                                                                if (_e1486 >= _e463) {
+                                                                    let _e1488 = (_e1486 <= _e1035.member);
+                                                                    if _e1488 {
+                                                                        let _e1489 = (1f / _e1307);
+                                                                        phi_1890_ = type_20(_e1486, (_e1301 * _e1489), (_e1305 * _e1489), _e1095);
                                                                     } else {
-                                                                        phi_1891_ = type_20();
+                                                                        phi_1890_ = type_20();
                                                                     }
-                                                                    let _e1497 = phi_1891_;
-                                                                    phi_1893_ = _e1497;
-                                                                    phi_1894_ = select(true, false, _e1491);
+                                                                    let _e1494 = phi_1890_;
+                                                                    phi_1892_ = _e1494;
+                                                                    phi_1893_ = select(true, false, _e1488);
                                                                 } else {
-                                                                    phi_1893_ = type_20();
-                                                                    phi_1894_ = true;
+                                                                    phi_1892_ = type_20();
+                                                                    phi_1893_ = true;
                                                                 }
-                                                                let _e1500 = phi_1893_;
-                                                                let _e1502 = phi_1894_;
-                                                                if _e1502 {
-                                                                    phi_1898_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1497 = phi_1892_;
+                                                                let _e1499 = phi_1893_;
+                                                                if _e1499 {
+                                                                    phi_1897_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1898_ = _e1500;
+                                                                    phi_1897_ = _e1497;
                                                                 }
-                                                                let _e1504 = phi_1898_;
-                                                                phi_1899_ = _e1504;
+                                                                let _e1501 = phi_1897_;
+                                                                phi_1898_ = _e1501;
                                                             }
-                                                            let _e1506 = phi_1899_;
-                                                            phi_1900_ = _e1506;
-                                                            phi_1901_ = _e1376;
+                                                            let _e1503 = phi_1898_;
+                                                            phi_1899_ = _e1503;
+                                                            phi_1900_ = _e1373;
                                                         }
-                                                        let _e1508 = phi_1900_;
-                                                        let _e1510 = phi_1901_;
-                                                        phi_1905_ = _e1508;
-                                                        phi_1906_ = _e1510;
+                                                        let _e1505 = phi_1899_;
+                                                        let _e1507 = phi_1900_;
+                                                        phi_1904_ = _e1505;
+                                                        phi_1905_ = _e1507;
                                                     }
-                                                    let _e1512 = phi_1905_;
-                                                    let _e1514 = phi_1906_;
-                                                    phi_1910_ = _e1512;
-                                                    phi_1911_ = _e1514;
+                                                    let _e1509 = phi_1904_;
+                                                    let _e1511 = phi_1905_;
+                                                    phi_1909_ = _e1509;
+                                                    phi_1910_ = _e1511;
                                                 } else {
-                                                    phi_1910_ = type_20();
-                                                    phi_1911_ = true;
+                                                    phi_1909_ = type_20();
+                                                    phi_1910_ = true;
                                                 }
-                                                let _e1516 = phi_1910_;
-                                                let _e1518 = phi_1911_;
-                                                if _e1518 {
-                                                    phi_1915_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1513 = phi_1909_;
+                                                let _e1515 = phi_1910_;
+                                                if _e1515 {
+                                                    phi_1914_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1915_ = _e1516;
+                                                    phi_1914_ = _e1513;
                                                 }
-                                                let _e1520 = phi_1915_;
-                                                if (_e1520.member_3 != 4294967295u) {
-                                                    if (_e1098 != 4294967295u) {
-                                                        phi_1926_ = type_34(_e1038.member, true);
+                                                let _e1517 = phi_1914_;
+                                                if (_e1517.member_3 != 4294967295u) {
+                                                    if (_e1095 != 4294967295u) {
+                                                        phi_1925_ = type_34(_e1035.member, true);
                                                     } else {
-                                                        phi_1926_ = _e1038;
+                                                        phi_1925_ = _e1035;
                                                     }
-                                                    let _e1528 = phi_1926_;
-                                                    phi_1927_ = _e1528;
+                                                    let _e1525 = phi_1925_;
+                                                    phi_1926_ = _e1525;
                                                 } else {
-                                                    phi_1927_ = _e1038;
+                                                    phi_1926_ = _e1035;
                                                 }
-                                                let _e1530 = phi_1927_;
-                                                phi_3613_ = _e1237;
-                                                phi_984_ = _e1530;
+                                                let _e1527 = phi_1926_;
+                                                phi_3470_ = _e1234;
+                                                phi_983_ = _e1527;
                                             } else {
-                                                phi_3613_ = _e1036;
-                                                phi_984_ = type_34();
+                                                phi_3470_ = _e1033;
+                                                phi_983_ = type_34();
                                             }
-                                            let _e1532 = phi_3613_;
-                                            let _e1534 = phi_984_;
+                                            let _e1529 = phi_3470_;
+                                            let _e1531 = phi_983_;
                                             continue;
                                             continuing {
-                                                phi_3554_ = _e1532;
-                                                phi_983_ = _e1534;
-                                                phi_986_ = _e1053;
-                                                phi_3612_ = _e1532;
-                                                break if !(_e1059);
+                                                phi_3411_ = _e1529;
+                                                phi_982_ = _e1531;
+                                                phi_985_ = _e1050;
+                                                phi_3469_ = _e1529;
+                                                break if !(_e1056);
                                             }
                                         }
-                                        let _e1537 = phi_3612_;
-                                        phi_3668_ = _e1537;
-                                        if _e1537 {
+                                        let _e1534 = phi_3469_;
+                                        phi_3525_ = _e1534;
+                                        if _e1534 {
                                             break;
                                         }
-                                        let _e1539 = local_13;
-                                        phi_3672_ = _e1537;
-                                        let _e1711 = local_15;
-                                        phi_3310_ = _e1711;
-                                        phi_3311_ = _e546;
-                                        phi_3312_ = false;
-                                        phi_3313_ = select(_e550, 0u, _e1539.member_1);
+                                        let _e1536 = local_13;
+                                        phi_3529_ = _e1534;
+                                        let _e1708 = local_15;
+                                        phi_3167_ = _e1708;
+                                        phi_3168_ = _e546;
+                                        phi_3169_ = false;
+                                        phi_3170_ = select(_e550, 0u, _e1536.member_1);
                                     } else {
                                         if (_e546.member_1 >= _e92) {
-                                            phi_2866_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2723_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e546.member_1 < _e92) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e564 = ((1u + (_e263 * 2u)) % 7u);
+                                            let _e562 = (_e263 * 2u);
+                                            let _e564 = ((1u + _e562) % 7u);
                                             if (_e564 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
                                             let _e569 = global_5.member[_e546.member_1][_e564];
-                                            let _e572 = ((1u + (_e262 * 2u)) % 7u);
-                                            if (_e572 < 7u) {
+                                            let _e571 = ((_e562 + 2u) % 7u);
+                                            if (_e571 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e577 = global_5.member[_e546.member_1][_e572];
-                                            let _e580 = ((1u + (_e264 * 2u)) % 7u);
-                                            if (_e580 < 7u) {
+                                            let _e576 = global_5.member[_e546.member_1][_e571];
+                                            let _e577 = (_e262 * 2u);
+                                            let _e579 = ((1u + _e577) % 7u);
+                                            if (_e579 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e585 = global_5.member[_e546.member_1][_e580];
-                                            let _e588 = (((_e263 + 1u) * 2u) % 7u);
-                                            if (_e588 < 7u) {
+                                            let _e584 = global_5.member[_e546.member_1][_e579];
+                                            let _e586 = ((_e577 + 2u) % 7u);
+                                            if (_e586 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e593 = global_5.member[_e546.member_1][_e588];
-                                            let _e596 = (((_e262 + 1u) * 2u) % 7u);
-                                            if (_e596 < 7u) {
+                                            let _e591 = global_5.member[_e546.member_1][_e586];
+                                            let _e592 = (_e264 * 2u);
+                                            let _e594 = ((1u + _e592) % 7u);
+                                            if (_e594 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e601 = global_5.member[_e546.member_1][_e596];
-                                            let _e604 = (((_e264 + 1u) * 2u) % 7u);
-                                            if (_e604 < 7u) {
+                                            let _e599 = global_5.member[_e546.member_1][_e594];
+                                            let _e601 = ((_e592 + 2u) % 7u);
+                                            if (_e601 < 7u) {
                                             } else {
-                                                phi_3668_ = true;
+                                                phi_3525_ = true;
                                                 break;
                                             }
-                                            let _e609 = global_5.member[_e546.member_1][_e604];
-                                            let _e632 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e636 = select(_e143, _e632, (_e632 > _e143));
-                                            let _e638 = select(_e143, _e633, (_e633 > _e143));
-                                            let _e640 = select(_e143, _e634, (_e634 > _e143));
-                                            let _e665 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e636));
-                                            let _e670 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e673 = bitcast<f32>((_e665 & bitcast<u32>(_e670)));
-                                            let _e674 = bitcast<u32>((f32(bitcast<i32>((_e577 & 2097151u))) * _e638));
-                                            let _e679 = (bitcast<i32>((_e577 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e682 = bitcast<f32>((_e674 & bitcast<u32>(_e679)));
-                                            let _e683 = bitcast<u32>((f32(bitcast<i32>((_e585 & 2097151u))) * _e640));
-                                            let _e688 = (bitcast<i32>((_e585 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e691 = bitcast<f32>((_e683 & bitcast<u32>(_e688)));
-                                            let _e695 = bitcast<f32>((_e665 & bitcast<u32>(~(_e670))));
-                                            let _e699 = bitcast<f32>((_e674 & bitcast<u32>(~(_e679))));
-                                            let _e703 = bitcast<f32>((_e683 & bitcast<u32>(~(_e688))));
-                                            let _e704 = bitcast<u32>((f32(bitcast<i32>((_e593 & 2097151u))) * _e636));
-                                            let _e709 = (bitcast<i32>((_e593 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e712 = bitcast<f32>((_e704 & bitcast<u32>(_e709)));
-                                            let _e713 = bitcast<u32>((f32(bitcast<i32>((_e601 & 2097151u))) * _e638));
-                                            let _e718 = (bitcast<i32>((_e601 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e721 = bitcast<f32>((_e713 & bitcast<u32>(_e718)));
-                                            let _e722 = bitcast<u32>((f32(bitcast<i32>((_e609 & 2097151u))) * _e640));
-                                            let _e727 = (bitcast<i32>((_e609 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e730 = bitcast<f32>((_e722 & bitcast<u32>(_e727)));
-                                            let _e734 = bitcast<f32>((_e704 & bitcast<u32>(~(_e709))));
-                                            let _e738 = bitcast<f32>((_e713 & bitcast<u32>(~(_e718))));
-                                            let _e742 = bitcast<f32>((_e722 & bitcast<u32>(~(_e727))));
-                                            let _e743 = (_e546.member.member.x + _e673);
-                                            let _e744 = (_e546.member.member.y + _e682);
-                                            let _e745 = (_e546.member.member.z + _e691);
-                                            let _e748 = (_e546.member.member_1.x - _e712);
-                                            let _e749 = (_e546.member.member_1.y - _e721);
-                                            let _e750 = (_e546.member.member_1.z - _e730);
-                                            let _e769 = (_e748 - _e743);
-                                            let _e770 = (_e749 - _e744);
-                                            let _e771 = (_e750 - _e745);
-                                            let _e773 = select(_e770, _e769, (_e769 > _e770));
-                                            let _e775 = select(_e771, _e773, (_e773 > _e771));
-                                            if (_e775 < (1024f * _e143)) {
-                                                phi_2567_ = 0u;
+                                            let _e606 = global_5.member[_e546.member_1][_e601];
+                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e630 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e631 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e633 = select(_e143, _e629, (_e629 > _e143));
+                                            let _e635 = select(_e143, _e630, (_e630 > _e143));
+                                            let _e637 = select(_e143, _e631, (_e631 > _e143));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e633));
+                                            let _e667 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e635));
+                                            let _e676 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                            let _e680 = bitcast<u32>((f32(bitcast<i32>((_e599 & 2097151u))) * _e637));
+                                            let _e685 = (bitcast<i32>((_e599 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e688 = bitcast<f32>((_e680 & bitcast<u32>(_e685)));
+                                            let _e692 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e696 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                            let _e700 = bitcast<f32>((_e680 & bitcast<u32>(~(_e685))));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e633));
+                                            let _e706 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e591 & 2097151u))) * _e635));
+                                            let _e715 = (bitcast<i32>((_e591 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                            let _e719 = bitcast<u32>((f32(bitcast<i32>((_e606 & 2097151u))) * _e637));
+                                            let _e724 = (bitcast<i32>((_e606 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e727 = bitcast<f32>((_e719 & bitcast<u32>(_e724)));
+                                            let _e731 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e735 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                            let _e739 = bitcast<f32>((_e719 & bitcast<u32>(~(_e724))));
+                                            let _e740 = (_e546.member.member.x + _e670);
+                                            let _e741 = (_e546.member.member.y + _e679);
+                                            let _e742 = (_e546.member.member.z + _e688);
+                                            let _e745 = (_e546.member.member_1.x - _e709);
+                                            let _e746 = (_e546.member.member_1.y - _e718);
+                                            let _e747 = (_e546.member.member_1.z - _e727);
+                                            let _e766 = (_e745 - _e740);
+                                            let _e767 = (_e746 - _e741);
+                                            let _e768 = (_e747 - _e742);
+                                            let _e770 = select(_e767, _e766, (_e766 > _e767));
+                                            let _e772 = select(_e768, _e770, (_e770 > _e768));
+                                            if (_e772 < (1024f * _e143)) {
+                                                phi_2424_ = 0u;
                                             } else {
-                                                phi_2567_ = select(2u, 1u, (_e775 < (2097152f * _e143)));
+                                                phi_2424_ = select(2u, 1u, (_e772 < (2097152f * _e143)));
                                             }
-                                            let _e782 = phi_2567_;
-                                            switch bitcast<i32>(_e782) {
+                                            let _e779 = phi_2424_;
+                                            switch bitcast<i32>(_e779) {
                                                 case 0: {
-                                                    phi_2573_ = 1u;
+                                                    phi_2430_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2573_ = 2u;
+                                                    phi_2430_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2573_ = 3u;
+                                                    phi_2430_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2573_ = u32();
+                                                    phi_2430_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e785 = phi_2573_;
-                                            let _e791 = global_5.member[_e546.member_1][0u];
-                                            let _e795 = global_5.member[_e546.member_1][2u];
-                                            let _e799 = global_5.member[_e546.member_1][4u];
-                                            let _e803 = global_5.member[_e546.member_1][6u];
-                                            let _e815 = (((_e795 >> bitcast<u32>(22i)) | ((_e799 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e803 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e816 = (_e791 & 268435455u);
-                                            let _e817 = (_e815 & 268435455u);
-                                            let _e820 = ((_e791 >> bitcast<u32>(28u)) & 7u);
-                                            let _e828 = ((_e791 >> bitcast<u32>(31i)) | (((_e815 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e829 = (_e820 != 0u);
-                                            if (_e820 == 0u) {
-                                                phi_2828_ = _e816;
+                                            let _e782 = phi_2430_;
+                                            let _e788 = global_5.member[_e546.member_1][0u];
+                                            let _e792 = global_5.member[_e546.member_1][2u];
+                                            let _e796 = global_5.member[_e546.member_1][4u];
+                                            let _e800 = global_5.member[_e546.member_1][6u];
+                                            let _e812 = (((_e792 >> bitcast<u32>(22i)) | ((_e796 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e813 = (_e788 & 268435455u);
+                                            let _e814 = (_e812 & 268435455u);
+                                            let _e817 = ((_e788 >> bitcast<u32>(28u)) & 7u);
+                                            let _e825 = ((_e788 >> bitcast<u32>(31i)) | (((_e812 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e826 = (_e817 != 0u);
+                                            if (_e817 == 0u) {
+                                                phi_2685_ = _e813;
                                             } else {
-                                                if (_e820 == 7u) {
-                                                    phi_2827_ = 2147483648u;
+                                                if (_e817 == 7u) {
+                                                    phi_2684_ = 2147483648u;
                                                 } else {
-                                                    phi_2827_ = ((2147483648u | (_e820 << bitcast<u32>(28u))) | (_e817 & 268435455u));
+                                                    phi_2684_ = ((2147483648u | (_e817 << bitcast<u32>(28u))) | (_e814 & 268435455u));
                                                 }
-                                                let _e838 = phi_2827_;
-                                                phi_2828_ = _e838;
+                                                let _e835 = phi_2684_;
+                                                phi_2685_ = _e835;
                                             }
-                                            let _e840 = phi_2828_;
-                                            if _e829 {
-                                                let _e841 = (_e820 != 7u);
-                                                if _e841 {
-                                                    phi_2838_ = (_e817 + (_e820 * ((3u * _e785) + 1u)));
+                                            let _e837 = phi_2685_;
+                                            if _e826 {
+                                                let _e838 = (_e817 != 7u);
+                                                if _e838 {
+                                                    phi_2695_ = (_e814 + (_e817 * ((3u * _e782) + 1u)));
                                                 } else {
-                                                    phi_2838_ = u32();
+                                                    phi_2695_ = u32();
                                                 }
-                                                let _e845 = phi_2838_;
-                                                phi_2840_ = _e845;
-                                                phi_2841_ = select(true, false, _e841);
+                                                let _e842 = phi_2695_;
+                                                phi_2697_ = _e842;
+                                                phi_2698_ = select(true, false, _e838);
                                             } else {
-                                                phi_2840_ = u32();
-                                                phi_2841_ = true;
+                                                phi_2697_ = u32();
+                                                phi_2698_ = true;
                                             }
-                                            let _e848 = phi_2840_;
-                                            let _e850 = phi_2841_;
-                                            if (_e828 == 0u) {
-                                                phi_2862_ = (_e816 + select(0u, 1u, !(_e829)));
+                                            let _e845 = phi_2697_;
+                                            let _e847 = phi_2698_;
+                                            if (_e825 == 0u) {
+                                                phi_2719_ = (_e813 + select(0u, 1u, !(_e826)));
                                             } else {
-                                                if (_e828 == 7u) {
-                                                    phi_2861_ = 2147483648u;
+                                                if (_e825 == 7u) {
+                                                    phi_2718_ = 2147483648u;
                                                 } else {
-                                                    phi_2861_ = ((2147483648u | (_e828 << bitcast<u32>(28u))) | (select(_e848, _e817, _e850) & 268435455u));
+                                                    phi_2718_ = ((2147483648u | (_e825 << bitcast<u32>(28u))) | (select(_e845, _e814, _e847) & 268435455u));
                                                 }
-                                                let _e863 = phi_2861_;
-                                                phi_2862_ = _e863;
+                                                let _e860 = phi_2718_;
+                                                phi_2719_ = _e860;
                                             }
-                                            let _e865 = phi_2862_;
-                                            phi_2866_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e743, (_e546.member.member.x + _e695), _e748, (_e546.member.member_1.x - _e734)), vec4<f32>(_e744, (_e546.member.member.y + _e699), _e749, (_e546.member.member_1.y - _e738)), vec4<f32>(_e745, (_e546.member.member.z + _e703), _e750, (_e546.member.member_1.z - _e742))), type_49(type_24((_e546.member.member + vec4<f32>(_e673, _e682, _e691, 0f)), (_e546.member.member_1 - vec4<f32>(_e712, _e721, _e730, 0f))), _e840), type_49(type_24((_e546.member.member + vec4<f32>(_e695, _e699, _e703, 0f)), (_e546.member.member_1 - vec4<f32>(_e734, _e738, _e742, 0f))), _e865));
+                                            let _e862 = phi_2719_;
+                                            phi_2723_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e740, (_e546.member.member.x + _e692), _e745, (_e546.member.member_1.x - _e731)), vec4<f32>(_e741, (_e546.member.member.y + _e696), _e746, (_e546.member.member_1.y - _e735)), vec4<f32>(_e742, (_e546.member.member.z + _e700), _e747, (_e546.member.member_1.z - _e739))), type_49(type_24((_e546.member.member + vec4<f32>(_e670, _e679, _e688, 0f)), (_e546.member.member_1 - vec4<f32>(_e709, _e718, _e727, 0f))), _e837), type_49(type_24((_e546.member.member + vec4<f32>(_e692, _e696, _e700, 0f)), (_e546.member.member_1 - vec4<f32>(_e731, _e735, _e739, 0f))), _e862));
                                         }
-                                        let _e870 = phi_2866_;
-                                        let _e882 = ((_e870.member[0].x - _e335) * _e340);
-                                        let _e883 = ((_e870.member[0].y - _e335) * _e340);
-                                        let _e884 = ((_e870.member[0].z - _e336) * _e340);
-                                        let _e885 = ((_e870.member[0].w - _e336) * _e340);
-                                        let _e895 = ((_e870.member[1].x - _e373) * _e378);
-                                        let _e896 = ((_e870.member[1].y - _e373) * _e378);
-                                        let _e897 = ((_e870.member[1].z - _e374) * _e378);
-                                        let _e898 = ((_e870.member[1].w - _e374) * _e378);
-                                        let _e908 = ((_e870.member[2].x - _e411) * _e416);
-                                        let _e909 = ((_e870.member[2].y - _e411) * _e416);
-                                        let _e910 = ((_e870.member[2].z - _e412) * _e416);
-                                        let _e911 = ((_e870.member[2].w - _e412) * _e416);
-                                        let _e913 = select(_e910, _e908, (_e908 < _e910));
-                                        let _e915 = select(_e911, _e909, (_e909 < _e911));
-                                        let _e917 = select(_e910, _e908, (_e908 > _e910));
-                                        let _e919 = select(_e911, _e909, (_e909 > _e911));
-                                        let _e921 = select(_e884, _e882, (_e882 < _e884));
-                                        let _e923 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e925 = select(_e897, _e895, (_e895 < _e897));
-                                        let _e927 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e929 = select(_e925, _e921, (_e921 > _e925));
-                                        let _e931 = select(_e927, _e923, (_e923 > _e927));
-                                        let _e933 = select(_e913, _e929, (_e929 > _e913));
-                                        let _e935 = select(_e915, _e931, (_e931 > _e915));
-                                        let _e937 = select(_e884, _e882, (_e882 > _e884));
-                                        let _e939 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e941 = select(_e897, _e895, (_e895 > _e897));
-                                        let _e943 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e945 = select(_e941, _e937, (_e937 < _e941));
-                                        let _e947 = select(_e943, _e939, (_e939 < _e943));
-                                        let _e952 = -(_e913);
-                                        let _e953 = -(_e915);
-                                        let _e960 = (select(_e917, _e945, (_e945 < _e917)) + (select(_e952, _e917, (_e917 > _e952)) * 0.0000019073523f));
-                                        let _e961 = (select(_e919, _e947, (_e947 < _e919)) + (select(_e953, _e919, (_e919 > _e953)) * 0.0000019073523f));
-                                        let _e963 = select(_e463, _e933, (_e933 > _e463));
-                                        let _e965 = select(_e463, _e935, (_e935 > _e463));
-                                        let _e970 = (_e963 <= select(_e507.member, _e960, (_e960 < _e507.member)));
-                                        let _e971 = (_e965 <= select(_e507.member, _e961, (_e961 < _e507.member)));
-                                        let _e972 = (_e963 <= _e965);
-                                        if _e970 {
-                                            if _e971 {
-                                                if _e972 {
-                                                    phi_3210_ = _e870.member_2;
+                                        let _e867 = phi_2723_;
+                                        let _e879 = ((_e867.member[0].x - _e335) * _e340);
+                                        let _e880 = ((_e867.member[0].y - _e335) * _e340);
+                                        let _e881 = ((_e867.member[0].z - _e336) * _e340);
+                                        let _e882 = ((_e867.member[0].w - _e336) * _e340);
+                                        let _e892 = ((_e867.member[1].x - _e373) * _e378);
+                                        let _e893 = ((_e867.member[1].y - _e373) * _e378);
+                                        let _e894 = ((_e867.member[1].z - _e374) * _e378);
+                                        let _e895 = ((_e867.member[1].w - _e374) * _e378);
+                                        let _e905 = ((_e867.member[2].x - _e411) * _e416);
+                                        let _e906 = ((_e867.member[2].y - _e411) * _e416);
+                                        let _e907 = ((_e867.member[2].z - _e412) * _e416);
+                                        let _e908 = ((_e867.member[2].w - _e412) * _e416);
+                                        let _e910 = select(_e907, _e905, (_e905 < _e907));
+                                        let _e912 = select(_e908, _e906, (_e906 < _e908));
+                                        let _e914 = select(_e907, _e905, (_e905 > _e907));
+                                        let _e916 = select(_e908, _e906, (_e906 > _e908));
+                                        let _e918 = select(_e881, _e879, (_e879 < _e881));
+                                        let _e920 = select(_e882, _e880, (_e880 < _e882));
+                                        let _e922 = select(_e894, _e892, (_e892 < _e894));
+                                        let _e924 = select(_e895, _e893, (_e893 < _e895));
+                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
+                                        let _e928 = select(_e924, _e920, (_e920 > _e924));
+                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
+                                        let _e932 = select(_e912, _e928, (_e928 > _e912));
+                                        let _e934 = select(_e881, _e879, (_e879 > _e881));
+                                        let _e936 = select(_e882, _e880, (_e880 > _e882));
+                                        let _e938 = select(_e894, _e892, (_e892 > _e894));
+                                        let _e940 = select(_e895, _e893, (_e893 > _e895));
+                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
+                                        let _e944 = select(_e940, _e936, (_e936 < _e940));
+                                        let _e949 = -(_e910);
+                                        let _e950 = -(_e912);
+                                        let _e957 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e949, _e914, (_e914 > _e949)) * 0.0000019073523f));
+                                        let _e958 = (select(_e916, _e944, (_e944 < _e916)) + (select(_e950, _e916, (_e916 > _e950)) * 0.0000019073523f));
+                                        let _e960 = select(_e463, _e930, (_e930 > _e463));
+                                        let _e962 = select(_e463, _e932, (_e932 > _e463));
+                                        let _e967 = (_e960 <= select(_e507.member, _e957, (_e957 < _e507.member)));
+                                        let _e968 = (_e962 <= select(_e507.member, _e958, (_e958 < _e507.member)));
+                                        let _e969 = (_e960 <= _e962);
+                                        if _e967 {
+                                            if _e968 {
+                                                if _e969 {
+                                                    phi_3067_ = _e867.member_2;
                                                 } else {
-                                                    phi_3210_ = _e870.member_1;
+                                                    phi_3067_ = _e867.member_1;
                                                 }
-                                                let _e976 = phi_3210_;
-                                                let _e998 = (_e550 % 128u);
-                                                let _e999 = (_e998 < 128u);
-                                                if _e999 {
+                                                let _e973 = phi_3067_;
+                                                let _e995 = (_e550 % 128u);
+                                                let _e996 = (_e995 < 128u);
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_8[_e998] = _e976.member_1;
-                                                if _e999 {
+                                                local_8[_e995] = _e973.member_1;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_7[_e998] = _e976.member.member.x;
-                                                if _e999 {
+                                                local_7[_e995] = _e973.member.member.x;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_6[_e998] = _e976.member.member.y;
-                                                if _e999 {
+                                                local_6[_e995] = _e973.member.member.y;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_5[_e998] = _e976.member.member.z;
-                                                if _e999 {
+                                                local_5[_e995] = _e973.member.member.z;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_4[_e998] = _e976.member.member_1.x;
-                                                if _e999 {
+                                                local_4[_e995] = _e973.member.member_1.x;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_3[_e998] = _e976.member.member_1.y;
-                                                if _e999 {
+                                                local_3[_e995] = _e973.member.member_1.y;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_2[_e998] = _e976.member.member_1.z;
-                                                if _e999 {
+                                                local_2[_e995] = _e973.member.member_1.z;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3668_ = true;
+                                                    phi_3525_ = true;
                                                     break;
                                                 }
-                                                local_9[_e998] = select(_e965, _e963, (_e963 > _e965));
-                                                if _e972 {
-                                                    phi_3287_ = _e870.member_1;
+                                                local_9[_e995] = select(_e962, _e960, (_e960 > _e962));
+                                                if _e969 {
+                                                    phi_3144_ = _e867.member_1;
                                                 } else {
-                                                    phi_3287_ = _e870.member_2;
+                                                    phi_3144_ = _e867.member_2;
                                                 }
-                                                let _e1012 = phi_3287_;
-                                                phi_3288_ = _e1012;
-                                                phi_3289_ = (_e550 + 1u);
+                                                let _e1009 = phi_3144_;
+                                                phi_3145_ = _e1009;
+                                                phi_3146_ = (_e550 + 1u);
                                             } else {
-                                                phi_3288_ = type_49();
-                                                phi_3289_ = u32();
+                                                phi_3145_ = type_49();
+                                                phi_3146_ = u32();
                                             }
-                                            let _e1014 = phi_3288_;
-                                            let _e1016 = phi_3289_;
-                                            phi_3291_ = _e1014;
-                                            phi_3292_ = _e1016;
-                                            phi_3293_ = select(true, false, _e971);
+                                            let _e1011 = phi_3145_;
+                                            let _e1013 = phi_3146_;
+                                            phi_3148_ = _e1011;
+                                            phi_3149_ = _e1013;
+                                            phi_3150_ = select(true, false, _e968);
                                         } else {
-                                            phi_3291_ = type_49();
-                                            phi_3292_ = u32();
-                                            phi_3293_ = true;
+                                            phi_3148_ = type_49();
+                                            phi_3149_ = u32();
+                                            phi_3150_ = true;
                                         }
-                                        let _e1019 = phi_3291_;
-                                        let _e1021 = phi_3292_;
-                                        let _e1023 = phi_3293_;
-                                        if _e1023 {
-                                            if _e970 {
-                                                phi_3302_ = _e870.member_1;
+                                        let _e1016 = phi_3148_;
+                                        let _e1018 = phi_3149_;
+                                        let _e1020 = phi_3150_;
+                                        if _e1020 {
+                                            if _e967 {
+                                                phi_3159_ = _e867.member_1;
                                             } else {
-                                                phi_3302_ = _e870.member_2;
+                                                phi_3159_ = _e867.member_2;
                                             }
-                                            let _e1027 = phi_3302_;
-                                            phi_3307_ = _e1027;
-                                            phi_3308_ = select(_e971, true, _e970);
+                                            let _e1024 = phi_3159_;
+                                            phi_3164_ = _e1024;
+                                            phi_3165_ = select(_e968, true, _e967);
                                         } else {
-                                            phi_3307_ = _e1019;
-                                            phi_3308_ = _e548;
+                                            phi_3164_ = _e1016;
+                                            phi_3165_ = _e548;
                                         }
-                                        let _e1030 = phi_3307_;
-                                        let _e1032 = phi_3308_;
-                                        phi_3672_ = _e505;
-                                        phi_3310_ = _e507;
-                                        phi_3311_ = _e1030;
-                                        phi_3312_ = _e1032;
-                                        phi_3313_ = select(_e1021, _e550, _e1023);
+                                        let _e1027 = phi_3164_;
+                                        let _e1029 = phi_3165_;
+                                        phi_3529_ = _e505;
+                                        phi_3167_ = _e507;
+                                        phi_3168_ = _e1027;
+                                        phi_3169_ = _e1029;
+                                        phi_3170_ = select(_e1018, _e550, _e1020);
                                     }
-                                    let _e1543 = phi_3672_;
-                                    let _e1545 = phi_3310_;
-                                    let _e1547 = phi_3311_;
-                                    let _e1549 = phi_3312_;
-                                    let _e1551 = phi_3313_;
-                                    phi_3671_ = _e1543;
-                                    phi_3314_ = _e1545;
-                                    phi_3315_ = _e1547;
-                                    phi_3316_ = (_e511 - 1u);
-                                    phi_3317_ = _e1549;
-                                    phi_3318_ = _e1551;
+                                    let _e1540 = phi_3529_;
+                                    let _e1542 = phi_3167_;
+                                    let _e1544 = phi_3168_;
+                                    let _e1546 = phi_3169_;
+                                    let _e1548 = phi_3170_;
+                                    phi_3528_ = _e1540;
+                                    phi_3171_ = _e1542;
+                                    phi_3172_ = _e1544;
+                                    phi_3173_ = (_e511 - 1u);
+                                    phi_3174_ = _e1546;
+                                    phi_3175_ = _e1548;
                                 } else {
-                                    phi_3671_ = _e505;
-                                    phi_3314_ = _e507;
-                                    phi_3315_ = _e546;
-                                    phi_3316_ = _e511;
-                                    phi_3317_ = _e548;
-                                    phi_3318_ = _e550;
+                                    phi_3528_ = _e505;
+                                    phi_3171_ = _e507;
+                                    phi_3172_ = _e546;
+                                    phi_3173_ = _e511;
+                                    phi_3174_ = _e548;
+                                    phi_3175_ = _e550;
                                 }
-                                let _e1553 = phi_3671_;
-                                let _e1555 = phi_3314_;
-                                let _e1557 = phi_3315_;
-                                let _e1559 = phi_3316_;
-                                let _e1561 = phi_3317_;
-                                let _e1563 = phi_3318_;
-                                phi_3670_ = _e1553;
-                                phi_3319_ = _e1555;
-                                phi_3320_ = _e1557;
-                                phi_3321_ = _e1559;
-                                phi_3322_ = _e1561;
-                                phi_3323_ = _e1563;
+                                let _e1550 = phi_3528_;
+                                let _e1552 = phi_3171_;
+                                let _e1554 = phi_3172_;
+                                let _e1556 = phi_3173_;
+                                let _e1558 = phi_3174_;
+                                let _e1560 = phi_3175_;
+                                phi_3527_ = _e1550;
+                                phi_3176_ = _e1552;
+                                phi_3177_ = _e1554;
+                                phi_3178_ = _e1556;
+                                phi_3179_ = _e1558;
+                                phi_3180_ = _e1560;
                             } else {
-                                phi_3670_ = _e505;
-                                phi_3319_ = type_34();
-                                phi_3320_ = type_49();
-                                phi_3321_ = u32();
-                                phi_3322_ = bool();
-                                phi_3323_ = u32();
+                                phi_3527_ = _e505;
+                                phi_3176_ = type_34();
+                                phi_3177_ = type_49();
+                                phi_3178_ = u32();
+                                phi_3179_ = bool();
+                                phi_3180_ = u32();
                             }
-                            let _e1565 = phi_3670_;
-                            let _e1567 = phi_3319_;
-                            let _e1569 = phi_3320_;
-                            let _e1571 = phi_3321_;
-                            let _e1573 = phi_3322_;
-                            let _e1575 = phi_3323_;
-                            phi_3669_ = _e1565;
-                            phi_857_ = _e1567;
-                            phi_860_ = _e1569;
-                            phi_862_ = _e1571;
-                            phi_864_ = _e1573;
-                            phi_866_ = _e1575;
-                            phi_3324_ = _e519;
+                            let _e1562 = phi_3527_;
+                            let _e1564 = phi_3176_;
+                            let _e1566 = phi_3177_;
+                            let _e1568 = phi_3178_;
+                            let _e1570 = phi_3179_;
+                            let _e1572 = phi_3180_;
+                            phi_3526_ = _e1562;
+                            phi_856_ = _e1564;
+                            phi_859_ = _e1566;
+                            phi_861_ = _e1568;
+                            phi_863_ = _e1570;
+                            phi_865_ = _e1572;
+                            phi_3181_ = _e519;
                         } else {
-                            phi_3669_ = _e505;
-                            phi_857_ = type_34();
-                            phi_860_ = type_49();
-                            phi_862_ = u32();
-                            phi_864_ = bool();
-                            phi_866_ = u32();
-                            phi_3324_ = false;
+                            phi_3526_ = _e505;
+                            phi_856_ = type_34();
+                            phi_859_ = type_49();
+                            phi_861_ = u32();
+                            phi_863_ = bool();
+                            phi_865_ = u32();
+                            phi_3181_ = false;
                         }
-                        let _e1577 = phi_3669_;
-                        let _e1579 = phi_857_;
-                        let _e1581 = phi_860_;
-                        let _e1583 = phi_862_;
-                        let _e1585 = phi_864_;
-                        let _e1587 = phi_866_;
-                        let _e1589 = phi_3324_;
+                        let _e1574 = phi_3526_;
+                        let _e1576 = phi_856_;
+                        let _e1578 = phi_859_;
+                        let _e1580 = phi_861_;
+                        let _e1582 = phi_863_;
+                        let _e1584 = phi_865_;
+                        let _e1586 = phi_3181_;
                         continue;
                         continuing {
-                            phi_3557_ = _e1577;
-                            phi_856_ = _e1579;
-                            phi_859_ = _e1581;
-                            phi_861_ = _e1583;
-                            phi_863_ = _e1585;
-                            phi_865_ = _e1587;
-                            phi_3668_ = _e1577;
-                            break if !(_e1589);
+                            phi_3414_ = _e1574;
+                            phi_855_ = _e1576;
+                            phi_858_ = _e1578;
+                            phi_860_ = _e1580;
+                            phi_862_ = _e1582;
+                            phi_864_ = _e1584;
+                            phi_3525_ = _e1574;
+                            break if !(_e1586);
                         }
                     }
-                    let _e1592 = phi_3668_;
-                    if _e1592 {
+                    let _e1589 = phi_3525_;
+                    if _e1589 {
                         break;
                     }
-                    let _e1594 = local_14;
+                    let _e1591 = local_14;
                     if _e151 {
                     } else {
                         break;
                     }
-                    global_4.member[_e149] = select(0u, 1u, _e1594.member_1);
+                    global_4.member[_e149] = select(0u, 1u, _e1591.member_1);
                 }
             }
             break;

@@ -90,144 +90,144 @@ fn function_() {
     var local_10: array<u32, 3>;
     var local_11: array<array<f32, 3>, 3>;
     var local_12: array<f32, 4>;
+    var phi_401_: i32;
     var phi_402_: i32;
-    var phi_403_: i32;
-    var phi_413_: bool;
+    var phi_412_: bool;
+    var phi_422_: u32;
     var phi_423_: u32;
-    var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_444_: i32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
+    var phi_425_: bool;
+    var phi_430_: u32;
+    var phi_443_: i32;
+    var phi_463_: i32;
+    var phi_481_: f32;
+    var phi_487_: f32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
+    var phi_547_: f32;
+    var phi_553_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
+    var phi_613_: f32;
+    var phi_619_: f32;
+    var phi_630_: f32;
+    var phi_636_: f32;
+    var phi_659_: f32;
+    var phi_670_: f32;
+    var phi_770_: f32;
     var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_3629_: bool;
+    var phi_3486_: bool;
+    var phi_860_: type_37;
+    var phi_863_: type_53;
+    var phi_865_: u32;
+    var phi_867_: bool;
+    var phi_869_: u32;
+    var phi_880_: bool;
+    var phi_966_: type_53;
+    var phi_967_: bool;
+    var phi_968_: u32;
+    var phi_2450_: u32;
+    var phi_2456_: u32;
+    var phi_2710_: u32;
+    var phi_2711_: u32;
+    var phi_2721_: u32;
+    var phi_2723_: u32;
+    var phi_2724_: bool;
+    var phi_2744_: u32;
+    var phi_2745_: u32;
+    var phi_2749_: type_54;
+    var phi_3093_: type_53;
+    var phi_3170_: type_53;
+    var phi_3171_: type_53;
+    var phi_3172_: u32;
+    var phi_3174_: type_53;
+    var phi_3175_: u32;
+    var phi_3176_: bool;
+    var phi_3185_: type_53;
+    var phi_3190_: type_53;
+    var phi_3191_: bool;
+    var phi_3483_: bool;
+    var phi_987_: type_37;
+    var phi_990_: type_8;
+    var phi_991_: type_8;
+    var phi_1013_: type_8;
+    var phi_1054_: u32;
+    var phi_1060_: u32;
+    var phi_1070_: u32;
+    var phi_1086_: u32;
+    var phi_1123_: u32;
+    var phi_1129_: u32;
+    var phi_1139_: u32;
+    var phi_3468_: bool;
+    var phi_1155_: type_8;
+    var phi_1156_: type_8;
+    var phi_1179_: type_8;
+    var phi_1202_: u32;
+    var phi_1217_: u32;
+    var phi_1220_: type_8;
+    var phi_1221_: type_8;
+    var phi_1244_: type_8;
+    var phi_1310_: u32;
+    var phi_1290_: u32;
+    var phi_1291_: u32;
+    var phi_1314_: f32;
+    var phi_3461_: bool;
+    var phi_3540_: bool;
+    var phi_3539_: bool;
+    var phi_1814_: vec3<f32>;
+    var phi_1815_: vec3<f32>;
+    var phi_1846_: bool;
+    var phi_1855_: vec3<f32>;
+    var phi_1895_: type_24;
+    var phi_1897_: type_24;
+    var phi_1898_: bool;
+    var phi_1902_: type_24;
+    var phi_1903_: type_24;
+    var phi_1904_: type_24;
+    var phi_1905_: bool;
+    var phi_1909_: type_24;
+    var phi_1910_: bool;
+    var phi_1914_: type_24;
+    var phi_1915_: bool;
+    var phi_1919_: type_24;
+    var phi_1944_: bool;
+    var phi_1945_: bool;
+    var phi_1951_: type_37;
+    var phi_1952_: type_37;
+    var phi_1953_: type_37;
+    var phi_3542_: bool;
+    var phi_988_: type_37;
+    var phi_3541_: bool;
+    var phi_3604_: bool;
+    var phi_3193_: type_37;
+    var phi_3194_: type_53;
+    var phi_3195_: bool;
+    var phi_3196_: u32;
+    var phi_3603_: bool;
+    var phi_3197_: type_37;
+    var phi_3198_: type_53;
+    var phi_3199_: u32;
+    var phi_3200_: bool;
+    var phi_3201_: u32;
+    var phi_3602_: bool;
+    var phi_3202_: type_37;
+    var phi_3203_: type_53;
+    var phi_3204_: u32;
+    var phi_3205_: bool;
+    var phi_3206_: u32;
+    var phi_3601_: bool;
     var phi_861_: type_37;
     var phi_864_: type_53;
     var phi_866_: u32;
     var phi_868_: bool;
     var phi_870_: u32;
-    var phi_881_: bool;
-    var phi_967_: type_53;
-    var phi_968_: bool;
-    var phi_969_: u32;
-    var phi_2593_: u32;
-    var phi_2599_: u32;
-    var phi_2853_: u32;
-    var phi_2854_: u32;
-    var phi_2864_: u32;
-    var phi_2866_: u32;
-    var phi_2867_: bool;
-    var phi_2887_: u32;
-    var phi_2888_: u32;
-    var phi_2892_: type_54;
-    var phi_3236_: type_53;
-    var phi_3313_: type_53;
-    var phi_3314_: type_53;
-    var phi_3315_: u32;
-    var phi_3317_: type_53;
-    var phi_3318_: u32;
-    var phi_3319_: bool;
-    var phi_3328_: type_53;
-    var phi_3333_: type_53;
-    var phi_3334_: bool;
-    var phi_3626_: bool;
-    var phi_988_: type_37;
-    var phi_991_: type_8;
-    var phi_992_: type_8;
-    var phi_1014_: type_8;
-    var phi_1055_: u32;
-    var phi_1061_: u32;
-    var phi_1071_: u32;
-    var phi_1087_: u32;
-    var phi_1124_: u32;
-    var phi_1130_: u32;
-    var phi_1140_: u32;
-    var phi_3611_: bool;
-    var phi_1156_: type_8;
-    var phi_1157_: type_8;
-    var phi_1180_: type_8;
-    var phi_1203_: u32;
-    var phi_1218_: u32;
-    var phi_1221_: type_8;
-    var phi_1222_: type_8;
-    var phi_1245_: type_8;
-    var phi_1311_: u32;
-    var phi_1291_: u32;
-    var phi_1292_: u32;
-    var phi_1315_: f32;
-    var phi_3604_: bool;
-    var phi_3683_: bool;
-    var phi_3682_: bool;
-    var phi_1815_: vec3<f32>;
-    var phi_1816_: vec3<f32>;
-    var phi_1847_: bool;
-    var phi_1856_: vec3<f32>;
-    var phi_1896_: type_24;
-    var phi_1898_: type_24;
-    var phi_1899_: bool;
-    var phi_1903_: type_24;
-    var phi_1904_: type_24;
-    var phi_1905_: type_24;
-    var phi_1906_: bool;
-    var phi_1910_: type_24;
-    var phi_1911_: bool;
-    var phi_1915_: type_24;
-    var phi_1916_: bool;
-    var phi_1920_: type_24;
-    var phi_1945_: bool;
-    var phi_1946_: bool;
-    var phi_1952_: type_37;
-    var phi_1953_: type_37;
-    var phi_1954_: type_37;
-    var phi_3685_: bool;
-    var phi_989_: type_37;
-    var phi_3684_: bool;
-    var phi_3747_: bool;
-    var phi_3336_: type_37;
-    var phi_3337_: type_53;
-    var phi_3338_: bool;
-    var phi_3339_: u32;
-    var phi_3746_: bool;
-    var phi_3340_: type_37;
-    var phi_3341_: type_53;
-    var phi_3342_: u32;
-    var phi_3343_: bool;
-    var phi_3344_: u32;
-    var phi_3745_: bool;
-    var phi_3345_: type_37;
-    var phi_3346_: type_53;
-    var phi_3347_: u32;
-    var phi_3348_: bool;
-    var phi_3349_: u32;
-    var phi_3744_: bool;
-    var phi_862_: type_37;
-    var phi_865_: type_53;
-    var phi_867_: u32;
-    var phi_869_: bool;
-    var phi_871_: u32;
-    var phi_3350_: bool;
-    var phi_3743_: bool;
+    var phi_3207_: bool;
+    var phi_3600_: bool;
     var local_13: type_37;
-    var phi_3402_: type_24;
+    var phi_3259_: type_24;
     var local_14: type_37;
 
     switch bitcast<i32>(0u) {
@@ -280,199 +280,199 @@ fn function_() {
                     if _e226 {
                         let _e229 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
                         if (_e229 >= 8388608u) {
-                            phi_402_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
+                            phi_401_ = (bitcast<i32>((_e229 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
+                            phi_401_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e229)), 32u, (_e229 == 0u))));
                         }
-                        let _e243 = phi_402_;
-                        phi_403_ = _e243;
+                        let _e243 = phi_401_;
+                        phi_402_ = _e243;
                     } else {
-                        phi_403_ = 0i;
+                        phi_402_ = 0i;
                     }
-                    let _e245 = phi_403_;
+                    let _e245 = phi_402_;
                     let _e246 = (_e162 == _e201);
                     if _e246 {
-                        phi_413_ = true;
+                        phi_412_ = true;
                     } else {
-                        phi_413_ = (_e169 == _e201);
+                        phi_412_ = (_e169 == _e201);
                     }
-                    let _e249 = phi_413_;
+                    let _e249 = phi_412_;
                     let _e250 = select(1u, 0u, _e246);
                     if _e249 {
                         let _e251 = (_e250 + 1u);
+                        phi_422_ = _e251;
                         phi_423_ = _e251;
-                        phi_424_ = _e251;
-                        phi_426_ = select(true, false, (_e251 == 2u));
+                        phi_425_ = select(true, false, (_e251 == 2u));
                     } else {
-                        phi_423_ = u32();
-                        phi_424_ = 0u;
-                        phi_426_ = true;
+                        phi_422_ = u32();
+                        phi_423_ = 0u;
+                        phi_425_ = true;
                     }
-                    let _e255 = phi_423_;
-                    let _e257 = phi_424_;
-                    let _e259 = phi_426_;
+                    let _e255 = phi_422_;
+                    let _e257 = phi_423_;
+                    let _e259 = phi_425_;
                     if _e259 {
-                        phi_431_ = (_e257 + 1u);
+                        phi_430_ = (_e257 + 1u);
                     } else {
-                        phi_431_ = 0u;
+                        phi_430_ = 0u;
                     }
-                    let _e263 = phi_431_;
+                    let _e263 = phi_430_;
                     let _e264 = select(_e255, _e257, _e259);
                     let _e265 = select(_e250, select(2u, _e250, _e249), _e259);
                     if (_e132 < -126i) {
-                        phi_444_ = -126i;
+                        phi_443_ = -126i;
                     } else {
-                        phi_444_ = select(_e132, 127i, (_e132 > 127i));
+                        phi_443_ = select(_e132, 127i, (_e132 > 127i));
                     }
-                    let _e270 = phi_444_;
+                    let _e270 = phi_443_;
                     let _e275 = bitcast<f32>((bitcast<u32>((_e270 + 127i)) << bitcast<u32>(23i)));
                     let _e281 = bitcast<f32>((bitcast<u32>(((_e132 - _e270) + 127i)) << bitcast<u32>(23i)));
                     let _e282 = -(_e245);
                     if (_e282 < -126i) {
-                        phi_464_ = -126i;
+                        phi_463_ = -126i;
                     } else {
-                        phi_464_ = select(_e282, 127i, (_e282 > 127i));
+                        phi_463_ = select(_e282, 127i, (_e282 > 127i));
                     }
-                    let _e287 = phi_464_;
+                    let _e287 = phi_463_;
                     let _e292 = bitcast<f32>((bitcast<u32>((_e287 + 127i)) << bitcast<u32>(23i)));
                     let _e298 = bitcast<f32>((bitcast<u32>(((_e282 - _e287) + 127i)) << bitcast<u32>(23i)));
                     let _e302 = global_4.member[_e150].member;
                     let _e303 = (_e264 == 0u);
                     if _e303 {
-                        phi_482_ = _e302[0];
+                        phi_481_ = _e302[0];
                     } else {
-                        phi_482_ = _e302[1];
+                        phi_481_ = _e302[1];
                     }
-                    let _e307 = phi_482_;
+                    let _e307 = phi_481_;
                     let _e308 = (_e264 == 2u);
                     if _e308 {
-                        phi_488_ = _e302[2];
+                        phi_487_ = _e302[2];
                     } else {
-                        phi_488_ = _e307;
+                        phi_487_ = _e307;
                     }
-                    let _e311 = phi_488_;
+                    let _e311 = phi_487_;
                     let _e313 = ((_e311 * _e275) * _e281);
                     let _e314 = global_4.member[_e150].member_2;
                     if _e303 {
-                        phi_499_ = _e314[0];
+                        phi_498_ = _e314[0];
                     } else {
-                        phi_499_ = _e314[1];
+                        phi_498_ = _e314[1];
                     }
-                    let _e318 = phi_499_;
+                    let _e318 = phi_498_;
                     if _e308 {
-                        phi_505_ = _e314[2];
+                        phi_504_ = _e314[2];
                     } else {
-                        phi_505_ = _e318;
+                        phi_504_ = _e318;
                     }
-                    let _e321 = phi_505_;
+                    let _e321 = phi_504_;
                     let _e323 = ((_e321 * _e292) * _e298);
                     let _e327 = (bitcast<f32>((bitcast<u32>(_e323) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e327 {
                         let _e331 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
+                        phi_527_ = select(0.00000000000011368684f, _e331, (_e331 > 0.00000000000011368684f));
                     } else {
-                        phi_528_ = 0f;
+                        phi_527_ = 0f;
                     }
-                    let _e335 = phi_528_;
+                    let _e335 = phi_527_;
                     let _e336 = (_e313 + _e335);
                     let _e337 = (_e313 - _e335);
                     let _e338 = select(_e323, 0f, _e327);
                     if _e327 {
-                        phi_539_ = 38685626000000000000000000f;
+                        phi_538_ = 38685626000000000000000000f;
                     } else {
-                        phi_539_ = (1f / _e323);
+                        phi_538_ = (1f / _e323);
                     }
-                    let _e341 = phi_539_;
+                    let _e341 = phi_538_;
                     let _e342 = (_e263 == 0u);
                     if _e342 {
-                        phi_548_ = _e302[0];
+                        phi_547_ = _e302[0];
                     } else {
-                        phi_548_ = _e302[1];
+                        phi_547_ = _e302[1];
                     }
-                    let _e346 = phi_548_;
+                    let _e346 = phi_547_;
                     let _e347 = (_e263 == 2u);
                     if _e347 {
-                        phi_554_ = _e302[2];
+                        phi_553_ = _e302[2];
                     } else {
-                        phi_554_ = _e346;
+                        phi_553_ = _e346;
                     }
-                    let _e350 = phi_554_;
+                    let _e350 = phi_553_;
                     let _e352 = ((_e350 * _e275) * _e281);
                     if _e342 {
-                        phi_565_ = _e314[0];
+                        phi_564_ = _e314[0];
                     } else {
-                        phi_565_ = _e314[1];
+                        phi_564_ = _e314[1];
                     }
-                    let _e356 = phi_565_;
+                    let _e356 = phi_564_;
                     if _e347 {
-                        phi_571_ = _e314[2];
+                        phi_570_ = _e314[2];
                     } else {
-                        phi_571_ = _e356;
+                        phi_570_ = _e356;
                     }
-                    let _e359 = phi_571_;
+                    let _e359 = phi_570_;
                     let _e361 = ((_e359 * _e292) * _e298);
                     let _e365 = (bitcast<f32>((bitcast<u32>(_e361) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e365 {
                         let _e369 = (bitcast<f32>((bitcast<u32>(_e352) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
+                        phi_593_ = select(0.00000000000011368684f, _e369, (_e369 > 0.00000000000011368684f));
                     } else {
-                        phi_594_ = 0f;
+                        phi_593_ = 0f;
                     }
-                    let _e373 = phi_594_;
+                    let _e373 = phi_593_;
                     let _e374 = (_e352 + _e373);
                     let _e375 = (_e352 - _e373);
                     let _e376 = select(_e361, 0f, _e365);
                     if _e365 {
-                        phi_605_ = 38685626000000000000000000f;
+                        phi_604_ = 38685626000000000000000000f;
                     } else {
-                        phi_605_ = (1f / _e361);
+                        phi_604_ = (1f / _e361);
                     }
-                    let _e379 = phi_605_;
+                    let _e379 = phi_604_;
                     let _e380 = (_e265 == 0u);
                     if _e380 {
-                        phi_614_ = _e302[0];
+                        phi_613_ = _e302[0];
                     } else {
-                        phi_614_ = _e302[1];
+                        phi_613_ = _e302[1];
                     }
-                    let _e384 = phi_614_;
+                    let _e384 = phi_613_;
                     let _e385 = (_e265 == 2u);
                     if _e385 {
-                        phi_620_ = _e302[2];
+                        phi_619_ = _e302[2];
                     } else {
-                        phi_620_ = _e384;
+                        phi_619_ = _e384;
                     }
-                    let _e388 = phi_620_;
+                    let _e388 = phi_619_;
                     let _e390 = ((_e388 * _e275) * _e281);
                     if _e380 {
-                        phi_631_ = _e314[0];
+                        phi_630_ = _e314[0];
                     } else {
-                        phi_631_ = _e314[1];
+                        phi_630_ = _e314[1];
                     }
-                    let _e394 = phi_631_;
+                    let _e394 = phi_630_;
                     if _e385 {
-                        phi_637_ = _e314[2];
+                        phi_636_ = _e314[2];
                     } else {
-                        phi_637_ = _e394;
+                        phi_636_ = _e394;
                     }
-                    let _e397 = phi_637_;
+                    let _e397 = phi_636_;
                     let _e399 = ((_e397 * _e292) * _e298);
                     let _e403 = (bitcast<f32>((bitcast<u32>(_e399) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e403 {
                         let _e407 = (bitcast<f32>((bitcast<u32>(_e390) & 2147483647u)) * 0.00000011920929f);
-                        phi_660_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
+                        phi_659_ = select(0.00000000000011368684f, _e407, (_e407 > 0.00000000000011368684f));
                     } else {
-                        phi_660_ = 0f;
+                        phi_659_ = 0f;
                     }
-                    let _e411 = phi_660_;
+                    let _e411 = phi_659_;
                     let _e412 = (_e390 + _e411);
                     let _e413 = (_e390 - _e411);
                     let _e414 = select(_e399, 0f, _e403);
                     if _e403 {
-                        phi_671_ = 38685626000000000000000000f;
+                        phi_670_ = 38685626000000000000000000f;
                     } else {
-                        phi_671_ = (1f / _e399);
+                        phi_670_ = (1f / _e399);
                     }
-                    let _e417 = phi_671_;
+                    let _e417 = phi_670_;
                     let _e420 = bitcast<f32>((bitcast<u32>(_e313) & 2147483647u));
                     let _e423 = bitcast<f32>((bitcast<u32>(_e352) & 2147483647u));
                     let _e425 = select(_e423, _e420, (_e420 > _e423));
@@ -486,14 +486,14 @@ fn function_() {
                         let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
                         let _e456 = (((_e220 * _e441) * _e441) * _e448);
                         let _e458 = select(340282350000000000000000000000000000000f, _e456, (_e456 < 340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
-                        phi_772_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
+                        phi_770_ = select(-340282350000000000000000000000000000000f, _e458, (_e458 > -340282350000000000000000000000000000000f));
+                        phi_771_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_771_ = 0f;
-                        phi_772_ = 1f;
+                        phi_770_ = 0f;
+                        phi_771_ = 1f;
                     }
-                    let _e462 = phi_771_;
-                    let _e464 = phi_772_;
+                    let _e462 = phi_770_;
+                    let _e464 = phi_771_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -538,1029 +538,1008 @@ fn function_() {
                         break;
                     }
                     let _e496 = local[_e480];
-                    phi_3629_ = false;
-                    phi_861_ = type_37(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e462);
-                    phi_864_ = type_53(type_32(vec4<f32>((f32(_e471) * _e144), (f32(_e477) * _e144), (f32(_e483) * _e144), 0f), vec4<f32>((f32(_e488) * _e144), (f32(_e492) * _e144), (f32(_e496) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
-                    phi_866_ = ((3u * _e93) + 1u);
-                    phi_868_ = (_e464 <= _e462);
-                    phi_870_ = 0u;
+                    phi_3486_ = false;
+                    phi_860_ = type_37(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e462);
+                    phi_863_ = type_53(type_32(vec4<f32>((f32(_e471) * _e144), (f32(_e477) * _e144), (f32(_e483) * _e144), 0f), vec4<f32>((f32(_e488) * _e144), (f32(_e492) * _e144), (f32(_e496) * _e144), 0f)), select(0u, 2147483648u, (_e93 == 0u)));
+                    phi_865_ = ((3u * _e93) + 1u);
+                    phi_867_ = (_e464 <= _e462);
+                    phi_869_ = 0u;
                     loop {
-                        let _e506 = phi_3629_;
-                        let _e508 = phi_861_;
-                        let _e510 = phi_864_;
-                        let _e512 = phi_866_;
-                        let _e514 = phi_868_;
-                        let _e516 = phi_870_;
+                        let _e506 = phi_3486_;
+                        let _e508 = phi_860_;
+                        let _e510 = phi_863_;
+                        let _e512 = phi_865_;
+                        let _e514 = phi_867_;
+                        let _e516 = phi_869_;
                         local_13 = _e508;
                         if _e514 {
-                            phi_881_ = true;
+                            phi_880_ = true;
                         } else {
-                            phi_881_ = (_e516 > 0u);
+                            phi_880_ = (_e516 > 0u);
                         }
-                        let _e519 = phi_881_;
+                        let _e519 = phi_880_;
                         if _e519 {
                             let _e520 = (_e512 > 0u);
                             if _e520 {
                                 if _e514 {
-                                    phi_967_ = _e510;
-                                    phi_968_ = _e514;
-                                    phi_969_ = _e516;
+                                    phi_966_ = _e510;
+                                    phi_967_ = _e514;
+                                    phi_968_ = _e516;
                                 } else {
                                     let _e521 = (_e516 - 1u);
                                     let _e522 = (_e521 % 128u);
                                     let _e523 = (_e522 < 128u);
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e525 = local_7[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e527 = local_6[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e529 = local_5[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e531 = local_4[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e533 = local_3[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e535 = local_2[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e540 = local_8[_e522];
                                     if _e523 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e543 = local_9[_e522];
-                                    phi_967_ = type_53(type_32(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
-                                    phi_968_ = (_e543 <= _e508.member_1);
-                                    phi_969_ = _e521;
+                                    phi_966_ = type_53(type_32(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
+                                    phi_967_ = (_e543 <= _e508.member_1);
+                                    phi_968_ = _e521;
                                 }
-                                let _e547 = phi_967_;
-                                let _e549 = phi_968_;
-                                let _e551 = phi_969_;
+                                let _e547 = phi_966_;
+                                let _e549 = phi_967_;
+                                let _e551 = phi_968_;
                                 if _e549 {
                                     let _e556 = (_e547.member_1 & 268435455u);
                                     if ((_e547.member_1 & 2147483648u) != 0u) {
-                                        phi_3626_ = _e506;
-                                        phi_988_ = _e508;
-                                        phi_991_ = type_8(0u, ((_e547.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3483_ = _e506;
+                                        phi_987_ = _e508;
+                                        phi_990_ = type_8(0u, ((_e547.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1037 = phi_3626_;
-                                            let _e1039 = phi_988_;
-                                            let _e1041 = phi_991_;
-                                            local_14 = _e1039;
-                                            if (_e1041.member < _e1041.member_1) {
-                                                phi_992_ = type_8((_e1041.member + 1u), _e1041.member_1);
-                                                phi_1014_ = type_8(1u, _e1041.member);
+                                            let _e1016 = phi_3483_;
+                                            let _e1018 = phi_987_;
+                                            let _e1020 = phi_990_;
+                                            local_14 = _e1018;
+                                            if (_e1020.member < _e1020.member_1) {
+                                                phi_991_ = type_8((_e1020.member + 1u), _e1020.member_1);
+                                                phi_1013_ = type_8(1u, _e1020.member);
                                             } else {
-                                                phi_992_ = _e1041;
-                                                phi_1014_ = type_8(0u, type_8().member_1);
+                                                phi_991_ = _e1020;
+                                                phi_1013_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1054 = phi_992_;
-                                            let _e1056 = phi_1014_;
-                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
-                                            if _e1060 {
-                                                let _e1065 = (_e547.member.member_1.x - _e547.member.member.x);
-                                                let _e1068 = (_e547.member.member_1.y - _e547.member.member.y);
-                                                let _e1071 = (_e547.member.member_1.z - _e547.member.member.z);
-                                                let _e1073 = select(_e1068, _e1065, (_e1065 > _e1068));
-                                                let _e1075 = select(_e1071, _e1073, (_e1073 > _e1071));
-                                                let _e1077 = (_e1075 < (1024f * _e144));
-                                                if _e1077 {
-                                                    phi_1055_ = 0u;
+                                            let _e1033 = phi_991_;
+                                            let _e1035 = phi_1013_;
+                                            let _e1039 = (bitcast<i32>(_e1035.member) != 0i);
+                                            if _e1039 {
+                                                let _e1044 = (_e547.member.member_1.x - _e547.member.member.x);
+                                                let _e1047 = (_e547.member.member_1.y - _e547.member.member.y);
+                                                let _e1050 = (_e547.member.member_1.z - _e547.member.member.z);
+                                                let _e1052 = select(_e1047, _e1044, (_e1044 > _e1047));
+                                                let _e1054 = select(_e1050, _e1052, (_e1052 > _e1050));
+                                                let _e1056 = (_e1054 < (1024f * _e144));
+                                                if _e1056 {
+                                                    phi_1054_ = 0u;
                                                 } else {
-                                                    phi_1055_ = select(2u, 1u, (_e1075 < (2097152f * _e144)));
+                                                    phi_1054_ = select(2u, 1u, (_e1054 < (2097152f * _e144)));
                                                 }
-                                                let _e1082 = phi_1055_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1061 = phi_1054_;
+                                                switch bitcast<i32>(_e1061) {
                                                     case 0: {
-                                                        phi_1061_ = 1u;
+                                                        phi_1060_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1061_ = 2u;
+                                                        phi_1060_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1061_ = 3u;
+                                                        phi_1060_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1061_ = u32();
+                                                        phi_1060_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1085 = phi_1061_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1064 = phi_1060_;
+                                                switch bitcast<i32>(_e1061) {
                                                     case 0: {
-                                                        phi_1071_ = 1u;
+                                                        phi_1070_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1071_ = 2u;
+                                                        phi_1070_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1071_ = 3u;
+                                                        phi_1070_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1071_ = u32();
+                                                        phi_1070_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1092 = phi_1071_;
-                                                let _e1094 = ((_e556 + (_e1056.member_1 * ((3u * _e1085) + 1u))) + (3u * _e1092));
-                                                let _e1095 = (_e1094 < _e96);
-                                                if _e1095 {
-                                                    if _e1095 {
+                                                let _e1071 = phi_1070_;
+                                                let _e1073 = ((_e556 + (_e1035.member_1 * ((3u * _e1064) + 1u))) + (3u * _e1071));
+                                                let _e1074 = (_e1073 < _e96);
+                                                if _e1074 {
+                                                    if _e1074 {
                                                     } else {
-                                                        phi_3684_ = true;
+                                                        phi_3541_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_5.member[_e1094];
-                                                    phi_1087_ = _e1097;
+                                                    let _e1076 = global_5.member[_e1073];
+                                                    phi_1086_ = _e1076;
                                                 } else {
-                                                    phi_1087_ = 4294967295u;
+                                                    phi_1086_ = 4294967295u;
                                                 }
-                                                let _e1099 = phi_1087_;
+                                                let _e1078 = phi_1086_;
                                                 local_10 = array<u32, 3>(_e264, _e263, _e265);
-                                                if _e1077 {
-                                                    phi_1124_ = 0u;
+                                                if _e1056 {
+                                                    phi_1123_ = 0u;
                                                 } else {
-                                                    phi_1124_ = select(2u, 1u, (_e1075 < (2097152f * _e144)));
+                                                    phi_1123_ = select(2u, 1u, (_e1054 < (2097152f * _e144)));
                                                 }
-                                                let _e1105 = phi_1124_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1084 = phi_1123_;
+                                                switch bitcast<i32>(_e1084) {
                                                     case 0: {
-                                                        phi_1130_ = 1u;
+                                                        phi_1129_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1130_ = 2u;
+                                                        phi_1129_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1130_ = 3u;
+                                                        phi_1129_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1130_ = u32();
+                                                        phi_1129_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1108 = phi_1130_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1087 = phi_1129_;
+                                                switch bitcast<i32>(_e1084) {
                                                     case 0: {
-                                                        phi_1140_ = 1u;
+                                                        phi_1139_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1140_ = 2u;
+                                                        phi_1139_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1140_ = 3u;
+                                                        phi_1139_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1140_ = u32();
+                                                        phi_1139_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1115 = phi_1140_;
+                                                let _e1094 = phi_1139_;
                                                 local_12 = array<f32, 4>(_e547.member.member.x, _e547.member.member.y, _e547.member.member.z, _e547.member.member.w);
                                                 local_11[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3611_ = _e1037;
-                                                phi_1156_ = type_8(0u, 3u);
+                                                phi_3468_ = _e1016;
+                                                phi_1155_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1129 = phi_3611_;
-                                                    let _e1131 = phi_1156_;
-                                                    if (_e1131.member < _e1131.member_1) {
-                                                        phi_1157_ = type_8((_e1131.member + 1u), _e1131.member_1);
-                                                        phi_1180_ = type_8(1u, _e1131.member);
+                                                    let _e1108 = phi_3468_;
+                                                    let _e1110 = phi_1155_;
+                                                    if (_e1110.member < _e1110.member_1) {
+                                                        phi_1156_ = type_8((_e1110.member + 1u), _e1110.member_1);
+                                                        phi_1179_ = type_8(1u, _e1110.member);
                                                     } else {
-                                                        phi_1157_ = _e1131;
-                                                        phi_1180_ = type_8(0u, type_8().member_1);
+                                                        phi_1156_ = _e1110;
+                                                        phi_1179_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1144 = phi_1157_;
-                                                    let _e1146 = phi_1180_;
-                                                    let _e1150 = (bitcast<i32>(_e1146.member) != 0i);
-                                                    if _e1150 {
-                                                        let _e1152 = ((_e556 + (_e1056.member_1 * ((3u * _e1108) + 1u))) + (_e1146.member_1 * _e1115));
-                                                        let _e1153 = (_e1152 < _e96);
-                                                        if _e1153 {
-                                                            if _e1153 {
+                                                    let _e1123 = phi_1156_;
+                                                    let _e1125 = phi_1179_;
+                                                    let _e1129 = (bitcast<i32>(_e1125.member) != 0i);
+                                                    if _e1129 {
+                                                        let _e1131 = ((_e556 + (_e1035.member_1 * ((3u * _e1087) + 1u))) + (_e1125.member_1 * _e1094));
+                                                        let _e1132 = (_e1131 < _e96);
+                                                        if _e1132 {
+                                                            if _e1132 {
                                                             } else {
-                                                                phi_3682_ = true;
+                                                                phi_3539_ = true;
                                                                 break;
                                                             }
-                                                            let _e1155 = global_5.member[_e1152];
-                                                            phi_1203_ = _e1155;
+                                                            let _e1134 = global_5.member[_e1131];
+                                                            phi_1202_ = _e1134;
                                                         } else {
-                                                            phi_1203_ = 0u;
+                                                            phi_1202_ = 0u;
                                                         }
-                                                        let _e1157 = phi_1203_;
-                                                        let _e1158 = (_e1152 + 1u);
-                                                        let _e1159 = (_e1158 < _e96);
-                                                        if _e1159 {
-                                                            if _e1159 {
+                                                        let _e1136 = phi_1202_;
+                                                        let _e1137 = (_e1131 + 1u);
+                                                        let _e1138 = (_e1137 < _e96);
+                                                        if _e1138 {
+                                                            if _e1138 {
                                                             } else {
-                                                                phi_3682_ = true;
+                                                                phi_3539_ = true;
                                                                 break;
                                                             }
-                                                            let _e1161 = global_5.member[_e1158];
-                                                            phi_1218_ = _e1161;
+                                                            let _e1140 = global_5.member[_e1137];
+                                                            phi_1217_ = _e1140;
                                                         } else {
-                                                            phi_1218_ = 0u;
+                                                            phi_1217_ = 0u;
                                                         }
-                                                        let _e1163 = phi_1218_;
-                                                        phi_1221_ = type_8(0u, 3u);
+                                                        let _e1142 = phi_1217_;
+                                                        phi_1220_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1165 = phi_1221_;
-                                                            if (_e1165.member < _e1165.member_1) {
-                                                                phi_1222_ = type_8((_e1165.member + 1u), _e1165.member_1);
-                                                                phi_1245_ = type_8(1u, _e1165.member);
+                                                            let _e1144 = phi_1220_;
+                                                            if (_e1144.member < _e1144.member_1) {
+                                                                phi_1221_ = type_8((_e1144.member + 1u), _e1144.member_1);
+                                                                phi_1244_ = type_8(1u, _e1144.member);
                                                             } else {
-                                                                phi_1222_ = _e1165;
-                                                                phi_1245_ = type_8(0u, type_8().member_1);
+                                                                phi_1221_ = _e1144;
+                                                                phi_1244_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1178 = phi_1222_;
-                                                            let _e1180 = phi_1245_;
-                                                            let _e1184 = (bitcast<i32>(_e1180.member) != 0i);
-                                                            if _e1184 {
-                                                                let _e1185 = (_e1180.member_1 < 3u);
-                                                                if _e1185 {
+                                                            let _e1157 = phi_1221_;
+                                                            let _e1159 = phi_1244_;
+                                                            let _e1163 = (bitcast<i32>(_e1159.member) != 0i);
+                                                            if _e1163 {
+                                                                let _e1164 = (_e1159.member_1 < 3u);
+                                                                if _e1164 {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1187 = local_10[_e1180.member_1];
-                                                                if (_e1180.member_1 < 4u) {
+                                                                let _e1166 = local_10[_e1159.member_1];
+                                                                if (_e1159.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1190 = local_12[_e1180.member_1];
-                                                                switch bitcast<i32>(_e1105) {
+                                                                let _e1169 = local_12[_e1159.member_1];
+                                                                switch bitcast<i32>(_e1084) {
                                                                     case 0: {
-                                                                        phi_1315_ = (_e1190 + (f32(((_e1157 >> bitcast<u32>(((10u * _e1187) & 31u))) & 1023u)) * _e144));
+                                                                        phi_1314_ = (_e1169 + (f32(((_e1136 >> bitcast<u32>(((10u * _e1166) & 31u))) & 1023u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1187 == 0u) {
-                                                                            phi_1292_ = _e1157;
+                                                                        if (_e1166 == 0u) {
+                                                                            phi_1291_ = _e1136;
                                                                         } else {
-                                                                            if (_e1187 == 1u) {
-                                                                                phi_1291_ = ((_e1157 >> bitcast<u32>(21i)) | (_e1163 << bitcast<u32>(11i)));
+                                                                            if (_e1166 == 1u) {
+                                                                                phi_1290_ = ((_e1136 >> bitcast<u32>(21i)) | (_e1142 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1291_ = (_e1163 >> bitcast<u32>(10i));
+                                                                                phi_1290_ = (_e1142 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1211 = phi_1291_;
-                                                                            phi_1292_ = _e1211;
+                                                                            let _e1190 = phi_1290_;
+                                                                            phi_1291_ = _e1190;
                                                                         }
-                                                                        let _e1213 = phi_1292_;
-                                                                        phi_1315_ = (_e1190 + (f32((_e1213 & 2097151u)) * _e144));
+                                                                        let _e1192 = phi_1291_;
+                                                                        phi_1314_ = (_e1169 + (f32((_e1192 & 2097151u)) * _e144));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1192 = (_e1152 + _e1187);
-                                                                        let _e1193 = (_e1192 < _e96);
-                                                                        if _e1193 {
-                                                                            if _e1193 {
+                                                                        let _e1171 = (_e1131 + _e1166);
+                                                                        let _e1172 = (_e1171 < _e96);
+                                                                        if _e1172 {
+                                                                            if _e1172 {
                                                                             } else {
-                                                                                phi_3604_ = true;
+                                                                                phi_3461_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1195 = global_5.member[_e1192];
-                                                                            phi_1311_ = _e1195;
+                                                                            let _e1174 = global_5.member[_e1171];
+                                                                            phi_1310_ = _e1174;
                                                                         } else {
-                                                                            phi_1311_ = 0u;
+                                                                            phi_1310_ = 0u;
                                                                         }
-                                                                        let _e1197 = phi_1311_;
-                                                                        phi_1315_ = (f32(bitcast<i32>(_e1197)) * _e144);
+                                                                        let _e1176 = phi_1310_;
+                                                                        phi_1314_ = (f32(bitcast<i32>(_e1176)) * _e144);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1315_ = f32();
+                                                                        phi_1314_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1227 = phi_1315_;
-                                                                if (_e1146.member_1 < 3u) {
+                                                                let _e1206 = phi_1314_;
+                                                                if (_e1125.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1185 {
+                                                                if _e1164 {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                local_11[_e1146.member_1][_e1180.member_1] = _e1227;
+                                                                local_11[_e1125.member_1][_e1159.member_1] = _e1206;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1221_ = _e1178;
-                                                                phi_3604_ = _e1129;
-                                                                break if !(_e1184);
+                                                                phi_1220_ = _e1157;
+                                                                phi_3461_ = _e1108;
+                                                                break if !(_e1163);
                                                             }
                                                         }
-                                                        let _e1233 = phi_3604_;
-                                                        phi_3682_ = _e1233;
-                                                        if _e1233 {
+                                                        let _e1212 = phi_3461_;
+                                                        phi_3539_ = _e1212;
+                                                        if _e1212 {
                                                             break;
                                                         }
-                                                        phi_3683_ = _e1233;
+                                                        phi_3540_ = _e1212;
                                                     } else {
-                                                        phi_3683_ = _e1129;
+                                                        phi_3540_ = _e1108;
                                                     }
-                                                    let _e1235 = phi_3683_;
+                                                    let _e1214 = phi_3540_;
                                                     continue;
                                                     continuing {
-                                                        phi_3611_ = _e1235;
-                                                        phi_1156_ = _e1144;
-                                                        phi_3682_ = _e1235;
-                                                        break if !(_e1150);
+                                                        phi_3468_ = _e1214;
+                                                        phi_1155_ = _e1123;
+                                                        phi_3539_ = _e1214;
+                                                        break if !(_e1129);
                                                     }
                                                 }
-                                                let _e1238 = phi_3682_;
-                                                phi_3684_ = _e1238;
-                                                if _e1238 {
+                                                let _e1217 = phi_3539_;
+                                                phi_3541_ = _e1217;
+                                                if _e1217 {
                                                     break;
                                                 }
-                                                let _e1239 = local_11;
-                                                let _e1255 = (_e1239[0][2] - _e390);
-                                                let _e1258 = (((_e1239[0][0] - _e313) * _e414) - (_e1255 * _e338));
-                                                let _e1261 = (((_e1239[0][1] - _e352) * _e414) - (_e1255 * _e376));
-                                                let _e1264 = (_e1239[1][2] - _e390);
-                                                let _e1267 = (((_e1239[1][0] - _e313) * _e414) - (_e1264 * _e338));
-                                                let _e1270 = (((_e1239[1][1] - _e352) * _e414) - (_e1264 * _e376));
-                                                let _e1273 = (_e1239[2][2] - _e390);
-                                                let _e1276 = (((_e1239[2][0] - _e313) * _e414) - (_e1273 * _e338));
-                                                let _e1279 = (((_e1239[2][1] - _e352) * _e414) - (_e1273 * _e376));
-                                                let _e1280 = (_e1276 * _e1270);
-                                                let _e1281 = (_e1279 * _e1267);
-                                                let _e1282 = (_e1258 * _e1279);
-                                                let _e1283 = (_e1261 * _e1276);
-                                                let _e1284 = (_e1267 * _e1261);
-                                                let _e1285 = (_e1270 * _e1258);
-                                                let _e1290 = (((_e1280 >= _e1281) && (_e1282 >= _e1283)) && (_e1284 >= _e1285));
-                                                if (_e1290 || (((_e1280 <= _e1281) && (_e1282 <= _e1283)) && (_e1284 <= _e1285))) {
-                                                    let _e1297 = select(-1f, 1f, _e1290);
-                                                    let _e1299 = ((_e1280 - _e1281) * _e1297);
-                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
-                                                    let _e1303 = ((_e1282 - _e1283) * _e1297);
-                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
-                                                    let _e1307 = ((_e1284 - _e1285) * _e1297);
-                                                    let _e1309 = select(0f, _e1307, (_e1307 > 0f));
-                                                    let _e1311 = ((_e1301 + _e1305) + _e1309);
-                                                    if (_e1311 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1910_ = type_24();
-                                                        phi_1911_ = true;
+                                                let _e1218 = local_11;
+                                                let _e1234 = (_e1218[0][2] - _e390);
+                                                let _e1237 = (((_e1218[0][0] - _e313) * _e414) - (_e1234 * _e338));
+                                                let _e1240 = (((_e1218[0][1] - _e352) * _e414) - (_e1234 * _e376));
+                                                let _e1243 = (_e1218[1][2] - _e390);
+                                                let _e1246 = (((_e1218[1][0] - _e313) * _e414) - (_e1243 * _e338));
+                                                let _e1249 = (((_e1218[1][1] - _e352) * _e414) - (_e1243 * _e376));
+                                                let _e1252 = (_e1218[2][2] - _e390);
+                                                let _e1255 = (((_e1218[2][0] - _e313) * _e414) - (_e1252 * _e338));
+                                                let _e1258 = (((_e1218[2][1] - _e352) * _e414) - (_e1252 * _e376));
+                                                let _e1259 = (_e1255 * _e1249);
+                                                let _e1260 = (_e1258 * _e1246);
+                                                let _e1261 = (_e1237 * _e1258);
+                                                let _e1262 = (_e1240 * _e1255);
+                                                let _e1263 = (_e1246 * _e1240);
+                                                let _e1264 = (_e1249 * _e1237);
+                                                let _e1269 = (((_e1259 >= _e1260) && (_e1261 >= _e1262)) && (_e1263 >= _e1264));
+                                                if (_e1269 || (((_e1259 <= _e1260) && (_e1261 <= _e1262)) && (_e1263 <= _e1264))) {
+                                                    let _e1276 = select(-1f, 1f, _e1269);
+                                                    let _e1278 = ((_e1259 - _e1260) * _e1276);
+                                                    let _e1280 = select(0f, _e1278, (_e1278 > 0f));
+                                                    let _e1282 = ((_e1261 - _e1262) * _e1276);
+                                                    let _e1284 = select(0f, _e1282, (_e1282 > 0f));
+                                                    let _e1286 = ((_e1263 - _e1264) * _e1276);
+                                                    let _e1288 = select(0f, _e1286, (_e1286 > 0f));
+                                                    let _e1290 = ((_e1280 + _e1284) + _e1288);
+                                                    if (_e1290 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1909_ = type_24();
+                                                        phi_1910_ = true;
                                                     } else {
-                                                        let _e1314 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] < _e1239[1][0]));
-                                                        let _e1318 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] > _e1239[1][0]));
-                                                        let _e1322 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] < _e1239[1][1]));
-                                                        let _e1326 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] > _e1239[1][1]));
-                                                        let _e1330 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] < _e1239[1][2]));
-                                                        let _e1334 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] > _e1239[1][2]));
-                                                        let _e1339 = ((select(_e1239[2][0], _e1314, (_e1314 < _e1239[2][0])) - _e336) * _e341);
-                                                        let _e1340 = ((select(_e1239[2][0], _e1318, (_e1318 > _e1239[2][0])) - _e337) * _e341);
-                                                        let _e1343 = ((select(_e1239[2][1], _e1322, (_e1322 < _e1239[2][1])) - _e374) * _e379);
-                                                        let _e1344 = ((select(_e1239[2][1], _e1326, (_e1326 > _e1239[2][1])) - _e375) * _e379);
-                                                        let _e1347 = ((select(_e1239[2][2], _e1330, (_e1330 < _e1239[2][2])) - _e412) * _e417);
-                                                        let _e1348 = ((select(_e1239[2][2], _e1334, (_e1334 > _e1239[2][2])) - _e413) * _e417);
-                                                        let _e1350 = select(_e1348, _e1347, (_e1347 < _e1348));
-                                                        let _e1352 = select(_e1348, _e1347, (_e1347 > _e1348));
-                                                        let _e1354 = select(_e1340, _e1339, (_e1339 < _e1340));
-                                                        let _e1356 = select(_e1344, _e1343, (_e1343 < _e1344));
-                                                        let _e1358 = select(_e1356, _e1354, (_e1354 > _e1356));
-                                                        let _e1360 = select(_e1350, _e1358, (_e1358 > _e1350));
-                                                        let _e1362 = select(_e1340, _e1339, (_e1339 > _e1340));
-                                                        let _e1364 = select(_e1344, _e1343, (_e1343 > _e1344));
-                                                        let _e1366 = select(_e1364, _e1362, (_e1362 < _e1364));
-                                                        let _e1368 = select(_e1352, _e1366, (_e1366 < _e1352));
-                                                        let _e1369 = -(_e1350);
-                                                        let _e1375 = select(_e464, _e1360, (_e1360 > _e464));
-                                                        if (_e1375 > (_e1368 + (select(_e1369, _e1352, (_e1352 > _e1369)) * 0.0000019073523f))) {
-                                                            phi_1905_ = type_24();
-                                                            phi_1906_ = true;
+                                                        let _e1293 = select(_e1218[1][0], _e1218[0][0], (_e1218[0][0] < _e1218[1][0]));
+                                                        let _e1297 = select(_e1218[1][0], _e1218[0][0], (_e1218[0][0] > _e1218[1][0]));
+                                                        let _e1301 = select(_e1218[1][1], _e1218[0][1], (_e1218[0][1] < _e1218[1][1]));
+                                                        let _e1305 = select(_e1218[1][1], _e1218[0][1], (_e1218[0][1] > _e1218[1][1]));
+                                                        let _e1309 = select(_e1218[1][2], _e1218[0][2], (_e1218[0][2] < _e1218[1][2]));
+                                                        let _e1313 = select(_e1218[1][2], _e1218[0][2], (_e1218[0][2] > _e1218[1][2]));
+                                                        let _e1318 = ((select(_e1218[2][0], _e1293, (_e1293 < _e1218[2][0])) - _e336) * _e341);
+                                                        let _e1319 = ((select(_e1218[2][0], _e1297, (_e1297 > _e1218[2][0])) - _e337) * _e341);
+                                                        let _e1322 = ((select(_e1218[2][1], _e1301, (_e1301 < _e1218[2][1])) - _e374) * _e379);
+                                                        let _e1323 = ((select(_e1218[2][1], _e1305, (_e1305 > _e1218[2][1])) - _e375) * _e379);
+                                                        let _e1326 = ((select(_e1218[2][2], _e1309, (_e1309 < _e1218[2][2])) - _e412) * _e417);
+                                                        let _e1327 = ((select(_e1218[2][2], _e1313, (_e1313 > _e1218[2][2])) - _e413) * _e417);
+                                                        let _e1329 = select(_e1327, _e1326, (_e1326 < _e1327));
+                                                        let _e1331 = select(_e1327, _e1326, (_e1326 > _e1327));
+                                                        let _e1333 = select(_e1319, _e1318, (_e1318 < _e1319));
+                                                        let _e1335 = select(_e1323, _e1322, (_e1322 < _e1323));
+                                                        let _e1337 = select(_e1335, _e1333, (_e1333 > _e1335));
+                                                        let _e1339 = select(_e1329, _e1337, (_e1337 > _e1329));
+                                                        let _e1341 = select(_e1319, _e1318, (_e1318 > _e1319));
+                                                        let _e1343 = select(_e1323, _e1322, (_e1322 > _e1323));
+                                                        let _e1345 = select(_e1343, _e1341, (_e1341 < _e1343));
+                                                        let _e1347 = select(_e1331, _e1345, (_e1345 < _e1331));
+                                                        let _e1348 = -(_e1329);
+                                                        let _e1354 = select(_e464, _e1339, (_e1339 > _e464));
+                                                        if (_e1354 > (_e1347 + (select(_e1348, _e1331, (_e1331 > _e1348)) * 0.0000019073523f))) {
+                                                            phi_1904_ = type_24();
+                                                            phi_1905_ = true;
                                                         } else {
-                                                            let _e1377 = (_e1375 > _e1039.member_1);
-                                                            if _e1377 {
-                                                                phi_1904_ = type_24();
+                                                            let _e1356 = (_e1354 > _e1018.member_1);
+                                                            if _e1356 {
+                                                                phi_1903_ = type_24();
                                                             } else {
-                                                                let _e1381 = (_e1239[1][0] - _e1239[0][0]);
-                                                                let _e1382 = (_e1239[1][1] - _e1239[0][1]);
-                                                                let _e1383 = (_e1239[1][2] - _e1239[0][2]);
-                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
-                                                                let _e1385 = (_e1239[2][0] - _e1239[1][0]);
-                                                                let _e1386 = (_e1239[2][1] - _e1239[1][1]);
-                                                                let _e1387 = (_e1239[2][2] - _e1239[1][2]);
-                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
-                                                                let _e1389 = (_e1239[0][0] - _e1239[2][0]);
-                                                                let _e1390 = (_e1239[0][1] - _e1239[2][1]);
-                                                                let _e1391 = (_e1239[0][2] - _e1239[2][2]);
-                                                                let _e1392 = vec3<f32>(_e1389, _e1390, _e1391);
-                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1398 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1400 = select(_e1398, _e1395, (_e1395 > _e1398));
-                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1360 = (_e1218[1][0] - _e1218[0][0]);
+                                                                let _e1361 = (_e1218[1][1] - _e1218[0][1]);
+                                                                let _e1362 = (_e1218[1][2] - _e1218[0][2]);
+                                                                let _e1363 = vec3<f32>(_e1360, _e1361, _e1362);
+                                                                let _e1364 = (_e1218[2][0] - _e1218[1][0]);
+                                                                let _e1365 = (_e1218[2][1] - _e1218[1][1]);
+                                                                let _e1366 = (_e1218[2][2] - _e1218[1][2]);
+                                                                let _e1367 = vec3<f32>(_e1364, _e1365, _e1366);
+                                                                let _e1368 = (_e1218[0][0] - _e1218[2][0]);
+                                                                let _e1369 = (_e1218[0][1] - _e1218[2][1]);
+                                                                let _e1370 = (_e1218[0][2] - _e1218[2][2]);
+                                                                let _e1371 = vec3<f32>(_e1368, _e1369, _e1370);
+                                                                let _e1374 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
+                                                                let _e1377 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
+                                                                let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                let _e1382 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
+                                                                let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                let _e1387 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
+                                                                let _e1390 = bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u));
+                                                                let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u));
+                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                                                                let _e1400 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
+                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
                                                                 let _e1405 = select(_e1403, _e1400, (_e1400 > _e1403));
-                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1413 = select(_e1411, _e1408, (_e1408 > _e1411));
-                                                                let _e1416 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
-                                                                let _e1418 = select(_e1416, _e1413, (_e1413 > _e1416));
-                                                                let _e1421 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                let _e1429 = bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u));
-                                                                let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
-                                                                let _e1433 = select(_e1418, _e1405, (_e1405 > _e1418));
-                                                                let _e1435 = select(_e1431, _e1433, (_e1433 > _e1431));
-                                                                if (_e1405 == _e1435) {
-                                                                    phi_1815_ = _e1388;
-                                                                    phi_1816_ = _e1392;
+                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1370) & 2147483647u));
+                                                                let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
+                                                                let _e1412 = select(_e1397, _e1384, (_e1384 > _e1397));
+                                                                let _e1414 = select(_e1410, _e1412, (_e1412 > _e1410));
+                                                                if (_e1384 == _e1414) {
+                                                                    phi_1814_ = _e1367;
+                                                                    phi_1815_ = _e1371;
                                                                 } else {
-                                                                    let _e1438 = vec3((_e1418 == _e1435));
-                                                                    phi_1815_ = select(_e1384, _e1392, _e1438);
-                                                                    phi_1816_ = select(_e1388, _e1384, _e1438);
+                                                                    let _e1417 = vec3((_e1397 == _e1414));
+                                                                    phi_1814_ = select(_e1363, _e1371, _e1417);
+                                                                    phi_1815_ = select(_e1367, _e1363, _e1417);
                                                                 }
-                                                                let _e1442 = phi_1815_;
-                                                                let _e1444 = phi_1816_;
-                                                                let _e1451 = ((_e1442.y * _e1444.z) - (_e1444.y * _e1442.z));
-                                                                let _e1456 = ((_e1442.z * _e1444.x) - (_e1444.z * _e1442.x));
-                                                                let _e1459 = ((_e1442.x * _e1444.y) - (_e1444.x * _e1442.y));
-                                                                if (_e1301 >= _e1305) {
-                                                                    phi_1847_ = select(true, false, (_e1301 >= _e1309));
+                                                                let _e1421 = phi_1814_;
+                                                                let _e1423 = phi_1815_;
+                                                                let _e1430 = ((_e1421.y * _e1423.z) - (_e1423.y * _e1421.z));
+                                                                let _e1435 = ((_e1421.z * _e1423.x) - (_e1423.z * _e1421.x));
+                                                                let _e1438 = ((_e1421.x * _e1423.y) - (_e1423.x * _e1421.y));
+                                                                if (_e1280 >= _e1284) {
+                                                                    phi_1846_ = select(true, false, (_e1280 >= _e1288));
                                                                 } else {
-                                                                    phi_1847_ = true;
+                                                                    phi_1846_ = true;
                                                                 }
-                                                                let _e1464 = phi_1847_;
-                                                                if _e1464 {
-                                                                    phi_1856_ = select(vec3<f32>(_e1239[2][0], _e1239[2][1], _e1239[2][2]), vec3<f32>(_e1239[1][0], _e1239[1][1], _e1239[1][2]), vec3((_e1305 >= _e1309)));
+                                                                let _e1443 = phi_1846_;
+                                                                if _e1443 {
+                                                                    phi_1855_ = select(vec3<f32>(_e1218[2][0], _e1218[2][1], _e1218[2][2]), vec3<f32>(_e1218[1][0], _e1218[1][1], _e1218[1][2]), vec3((_e1284 >= _e1288)));
                                                                 } else {
-                                                                    phi_1856_ = vec3<f32>(_e1239[0][0], _e1239[0][1], _e1239[0][2]);
+                                                                    phi_1855_ = vec3<f32>(_e1218[0][0], _e1218[0][1], _e1218[0][2]);
                                                                 }
-                                                                let _e1469 = phi_1856_;
-                                                                let _e1486 = ((((_e1451 * (_e1469.x - _e313)) + (_e1456 * (_e1469.y - _e352))) + (_e1459 * (_e1469.z - _e390))) / (((_e1451 * _e338) + (_e1456 * _e376)) + (_e1459 * _e414)));
-                                                                let _e1488 = select(_e1368, _e1486, (_e1486 < _e1368));
-                                                                let _e1490 = select(_e1360, _e1488, (_e1488 > _e1360));
-                                                                if (_e1490 >= _e464) {
-                                                                    let _e1492 = (_e1490 <= _e1039.member_1);
-                                                                    if _e1492 {
-                                                                        let _e1493 = (1f / _e1311);
-                                                                        phi_1896_ = type_24(_e1490, (_e1305 * _e1493), (_e1309 * _e1493), _e1099);
+                                                                let _e1448 = phi_1855_;
+                                                                let _e1465 = ((((_e1430 * (_e1448.x - _e313)) + (_e1435 * (_e1448.y - _e352))) + (_e1438 * (_e1448.z - _e390))) / (((_e1430 * _e338) + (_e1435 * _e376)) + (_e1438 * _e414)));
+                                                                let _e1467 = select(_e1347, _e1465, (_e1465 < _e1347));
+                                                                let _e1469 = select(_e1339, _e1467, (_e1467 > _e1339));
+                                                                if (_e1469 >= _e464) {
+                                                                    let _e1471 = (_e1469 <= _e1018.member_1);
+                                                                    if _e1471 {
+                                                                        let _e1472 = (1f / _e1290);
+                                                                        phi_1895_ = type_24(_e1469, (_e1284 * _e1472), (_e1288 * _e1472), _e1078);
                                                                     } else {
-                                                                        phi_1896_ = type_24();
+                                                                        phi_1895_ = type_24();
                                                                     }
-                                                                    let _e1498 = phi_1896_;
-                                                                    phi_1898_ = _e1498;
-                                                                    phi_1899_ = select(true, false, _e1492);
+                                                                    let _e1477 = phi_1895_;
+                                                                    phi_1897_ = _e1477;
+                                                                    phi_1898_ = select(true, false, _e1471);
                                                                 } else {
-                                                                    phi_1898_ = type_24();
-                                                                    phi_1899_ = true;
+                                                                    phi_1897_ = type_24();
+                                                                    phi_1898_ = true;
                                                                 }
-                                                                let _e1501 = phi_1898_;
-                                                                let _e1503 = phi_1899_;
-                                                                if _e1503 {
-                                                                    phi_1903_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1480 = phi_1897_;
+                                                                let _e1482 = phi_1898_;
+                                                                if _e1482 {
+                                                                    phi_1902_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1903_ = _e1501;
+                                                                    phi_1902_ = _e1480;
                                                                 }
-                                                                let _e1505 = phi_1903_;
-                                                                phi_1904_ = _e1505;
+                                                                let _e1484 = phi_1902_;
+                                                                phi_1903_ = _e1484;
                                                             }
-                                                            let _e1507 = phi_1904_;
-                                                            phi_1905_ = _e1507;
-                                                            phi_1906_ = _e1377;
+                                                            let _e1486 = phi_1903_;
+                                                            phi_1904_ = _e1486;
+                                                            phi_1905_ = _e1356;
                                                         }
-                                                        let _e1509 = phi_1905_;
-                                                        let _e1511 = phi_1906_;
-                                                        phi_1910_ = _e1509;
-                                                        phi_1911_ = _e1511;
+                                                        let _e1488 = phi_1904_;
+                                                        let _e1490 = phi_1905_;
+                                                        phi_1909_ = _e1488;
+                                                        phi_1910_ = _e1490;
                                                     }
-                                                    let _e1513 = phi_1910_;
-                                                    let _e1515 = phi_1911_;
-                                                    phi_1915_ = _e1513;
-                                                    phi_1916_ = _e1515;
+                                                    let _e1492 = phi_1909_;
+                                                    let _e1494 = phi_1910_;
+                                                    phi_1914_ = _e1492;
+                                                    phi_1915_ = _e1494;
                                                 } else {
-                                                    phi_1915_ = type_24();
-                                                    phi_1916_ = true;
+                                                    phi_1914_ = type_24();
+                                                    phi_1915_ = true;
                                                 }
-                                                let _e1517 = phi_1915_;
-                                                let _e1519 = phi_1916_;
-                                                if _e1519 {
-                                                    phi_1920_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1496 = phi_1914_;
+                                                let _e1498 = phi_1915_;
+                                                if _e1498 {
+                                                    phi_1919_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1920_ = _e1517;
+                                                    phi_1919_ = _e1496;
                                                 }
-                                                let _e1521 = phi_1920_;
-                                                if (_e1521.member_3 != 4294967295u) {
-                                                    if (_e1099 != 4294967295u) {
-                                                        if (_e1521.member < _e1039.member.member) {
-                                                            phi_1946_ = true;
+                                                let _e1500 = phi_1919_;
+                                                if (_e1500.member_3 != 4294967295u) {
+                                                    if (_e1078 != 4294967295u) {
+                                                        if (_e1500.member < _e1018.member.member) {
+                                                            phi_1945_ = true;
                                                         } else {
-                                                            if (_e1521.member == _e1039.member.member) {
-                                                                phi_1945_ = (_e1521.member_3 < _e1039.member.member_3);
+                                                            if (_e1500.member == _e1018.member.member) {
+                                                                phi_1944_ = (_e1500.member_3 < _e1018.member.member_3);
                                                             } else {
-                                                                phi_1945_ = false;
+                                                                phi_1944_ = false;
                                                             }
-                                                            let _e1534 = phi_1945_;
-                                                            phi_1946_ = _e1534;
+                                                            let _e1513 = phi_1944_;
+                                                            phi_1945_ = _e1513;
                                                         }
-                                                        let _e1536 = phi_1946_;
-                                                        if _e1536 {
-                                                            phi_1952_ = type_37(_e1521, _e1521.member);
+                                                        let _e1515 = phi_1945_;
+                                                        if _e1515 {
+                                                            phi_1951_ = type_37(_e1500, _e1500.member);
                                                         } else {
-                                                            phi_1952_ = _e1039;
+                                                            phi_1951_ = _e1018;
                                                         }
-                                                        let _e1539 = phi_1952_;
-                                                        phi_1953_ = _e1539;
+                                                        let _e1518 = phi_1951_;
+                                                        phi_1952_ = _e1518;
                                                     } else {
-                                                        phi_1953_ = _e1039;
+                                                        phi_1952_ = _e1018;
                                                     }
-                                                    let _e1541 = phi_1953_;
-                                                    phi_1954_ = _e1541;
+                                                    let _e1520 = phi_1952_;
+                                                    phi_1953_ = _e1520;
                                                 } else {
-                                                    phi_1954_ = _e1039;
+                                                    phi_1953_ = _e1018;
                                                 }
-                                                let _e1543 = phi_1954_;
-                                                phi_3685_ = _e1238;
-                                                phi_989_ = _e1543;
+                                                let _e1522 = phi_1953_;
+                                                phi_3542_ = _e1217;
+                                                phi_988_ = _e1522;
                                             } else {
-                                                phi_3685_ = _e1037;
-                                                phi_989_ = type_37();
+                                                phi_3542_ = _e1016;
+                                                phi_988_ = type_37();
                                             }
-                                            let _e1545 = phi_3685_;
-                                            let _e1547 = phi_989_;
+                                            let _e1524 = phi_3542_;
+                                            let _e1526 = phi_988_;
                                             continue;
                                             continuing {
-                                                phi_3626_ = _e1545;
-                                                phi_988_ = _e1547;
-                                                phi_991_ = _e1054;
-                                                phi_3684_ = _e1545;
-                                                break if !(_e1060);
+                                                phi_3483_ = _e1524;
+                                                phi_987_ = _e1526;
+                                                phi_990_ = _e1033;
+                                                phi_3541_ = _e1524;
+                                                break if !(_e1039);
                                             }
                                         }
-                                        let _e1550 = phi_3684_;
-                                        phi_3743_ = _e1550;
-                                        if _e1550 {
+                                        let _e1529 = phi_3541_;
+                                        phi_3600_ = _e1529;
+                                        if _e1529 {
                                             break;
                                         }
-                                        phi_3747_ = _e1550;
-                                        let _e1750 = local_14;
-                                        phi_3336_ = _e1750;
-                                        phi_3337_ = _e547;
-                                        phi_3338_ = false;
-                                        phi_3339_ = _e551;
+                                        phi_3604_ = _e1529;
+                                        let _e1729 = local_14;
+                                        phi_3193_ = _e1729;
+                                        phi_3194_ = _e547;
+                                        phi_3195_ = false;
+                                        phi_3196_ = _e551;
                                     } else {
                                         if (_e547.member_1 >= _e93) {
-                                            phi_2892_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2749_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_32(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e547.member_1 < _e93) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
                                             let _e564 = ((1u + _e264) % 4u);
                                             if (_e564 < 4u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
                                             let _e569 = global_3.member[_e547.member_1][_e564];
-                                            let _e571 = ((1u + _e263) % 4u);
-                                            if (_e571 < 4u) {
+                                            let _e571 = (_e569 >> bitcast<u32>(11u));
+                                            let _e573 = ((1u + _e263) % 4u);
+                                            if (_e573 < 4u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e576 = global_3.member[_e547.member_1][_e571];
-                                            let _e578 = ((1u + _e265) % 4u);
-                                            if (_e578 < 4u) {
+                                            let _e578 = global_3.member[_e547.member_1][_e573];
+                                            let _e580 = (_e578 >> bitcast<u32>(11u));
+                                            let _e582 = ((1u + _e265) % 4u);
+                                            if (_e582 < 4u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e583 = global_3.member[_e547.member_1][_e578];
-                                            let _e585 = ((_e264 + 1u) % 4u);
-                                            if (_e585 < 4u) {
-                                            } else {
-                                                phi_3743_ = true;
-                                                break;
-                                            }
-                                            let _e590 = global_3.member[_e547.member_1][_e585];
-                                            let _e592 = (_e590 >> bitcast<u32>(11u));
-                                            let _e594 = ((_e263 + 1u) % 4u);
-                                            if (_e594 < 4u) {
-                                            } else {
-                                                phi_3743_ = true;
-                                                break;
-                                            }
-                                            let _e599 = global_3.member[_e547.member_1][_e594];
-                                            let _e601 = (_e599 >> bitcast<u32>(11u));
-                                            let _e603 = ((_e265 + 1u) % 4u);
-                                            if (_e603 < 4u) {
-                                            } else {
-                                                phi_3743_ = true;
-                                                break;
-                                            }
-                                            let _e608 = global_3.member[_e547.member_1][_e603];
-                                            let _e610 = (_e608 >> bitcast<u32>(11u));
-                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.x - _e547.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.y - _e547.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.z - _e547.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e637 = select(_e144, _e633, (_e633 > _e144));
-                                            let _e639 = select(_e144, _e634, (_e634 > _e144));
-                                            let _e641 = select(_e144, _e635, (_e635 > _e144));
-                                            let _e666 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e637));
-                                            let _e671 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e674 = bitcast<f32>((_e666 & bitcast<u32>(_e671)));
-                                            let _e675 = bitcast<u32>((f32(bitcast<i32>((_e576 & 1023u))) * _e639));
-                                            let _e680 = (bitcast<i32>((_e576 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e683 = bitcast<f32>((_e675 & bitcast<u32>(_e680)));
-                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e583 & 1023u))) * _e641));
-                                            let _e689 = (bitcast<i32>((_e583 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e587 = global_3.member[_e547.member_1][_e582];
+                                            let _e589 = (_e587 >> bitcast<u32>(11u));
+                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.x - _e547.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e613 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.y - _e547.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e547.member.member_1.z - _e547.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e616 = select(_e144, _e612, (_e612 > _e144));
+                                            let _e618 = select(_e144, _e613, (_e613 > _e144));
+                                            let _e620 = select(_e144, _e614, (_e614 > _e144));
+                                            let _e645 = bitcast<u32>((f32(bitcast<i32>((_e569 & 1023u))) * _e616));
+                                            let _e650 = (bitcast<i32>((_e569 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e653 = bitcast<f32>((_e645 & bitcast<u32>(_e650)));
+                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e618));
+                                            let _e659 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
+                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e587 & 1023u))) * _e620));
+                                            let _e668 = (bitcast<i32>((_e587 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
+                                            let _e675 = bitcast<f32>((_e645 & bitcast<u32>(~(_e650))));
+                                            let _e679 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
+                                            let _e683 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
+                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e616));
+                                            let _e689 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                            let _e696 = bitcast<f32>((_e666 & bitcast<u32>(~(_e671))));
-                                            let _e700 = bitcast<f32>((_e675 & bitcast<u32>(~(_e680))));
-                                            let _e704 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                            let _e705 = bitcast<u32>((f32(bitcast<i32>((_e592 & 1023u))) * _e637));
-                                            let _e710 = (bitcast<i32>((_e592 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e713 = bitcast<f32>((_e705 & bitcast<u32>(_e710)));
-                                            let _e714 = bitcast<u32>((f32(bitcast<i32>((_e601 & 1023u))) * _e639));
-                                            let _e719 = (bitcast<i32>((_e601 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e722 = bitcast<f32>((_e714 & bitcast<u32>(_e719)));
-                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e610 & 1023u))) * _e641));
-                                            let _e728 = (bitcast<i32>((_e610 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
-                                            let _e735 = bitcast<f32>((_e705 & bitcast<u32>(~(_e710))));
-                                            let _e739 = bitcast<f32>((_e714 & bitcast<u32>(~(_e719))));
-                                            let _e743 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
-                                            let _e744 = (_e547.member.member.x + _e674);
-                                            let _e745 = (_e547.member.member.y + _e683);
-                                            let _e746 = (_e547.member.member.z + _e692);
-                                            let _e749 = (_e547.member.member_1.x - _e713);
-                                            let _e750 = (_e547.member.member_1.y - _e722);
-                                            let _e751 = (_e547.member.member_1.z - _e731);
-                                            let _e770 = (_e749 - _e744);
-                                            let _e771 = (_e750 - _e745);
-                                            let _e772 = (_e751 - _e746);
-                                            let _e774 = select(_e771, _e770, (_e770 > _e771));
-                                            let _e776 = select(_e772, _e774, (_e774 > _e772));
-                                            if (_e776 < (1024f * _e144)) {
-                                                phi_2593_ = 0u;
+                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e618));
+                                            let _e698 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
+                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e620));
+                                            let _e707 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
+                                            let _e714 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
+                                            let _e718 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
+                                            let _e722 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
+                                            let _e723 = (_e547.member.member.x + _e653);
+                                            let _e724 = (_e547.member.member.y + _e662);
+                                            let _e725 = (_e547.member.member.z + _e671);
+                                            let _e728 = (_e547.member.member_1.x - _e692);
+                                            let _e729 = (_e547.member.member_1.y - _e701);
+                                            let _e730 = (_e547.member.member_1.z - _e710);
+                                            let _e749 = (_e728 - _e723);
+                                            let _e750 = (_e729 - _e724);
+                                            let _e751 = (_e730 - _e725);
+                                            let _e753 = select(_e750, _e749, (_e749 > _e750));
+                                            let _e755 = select(_e751, _e753, (_e753 > _e751));
+                                            if (_e755 < (1024f * _e144)) {
+                                                phi_2450_ = 0u;
                                             } else {
-                                                phi_2593_ = select(2u, 1u, (_e776 < (2097152f * _e144)));
+                                                phi_2450_ = select(2u, 1u, (_e755 < (2097152f * _e144)));
                                             }
-                                            let _e783 = phi_2593_;
-                                            switch bitcast<i32>(_e783) {
+                                            let _e762 = phi_2450_;
+                                            switch bitcast<i32>(_e762) {
                                                 case 0: {
-                                                    phi_2599_ = 1u;
+                                                    phi_2456_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2599_ = 2u;
+                                                    phi_2456_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2599_ = 3u;
+                                                    phi_2456_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2599_ = u32();
+                                                    phi_2456_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e786 = phi_2599_;
-                                            let _e792 = global_3.member[_e547.member_1][0u];
-                                            let _e796 = global_3.member[_e547.member_1][1u];
-                                            let _e800 = global_3.member[_e547.member_1][2u];
-                                            let _e804 = global_3.member[_e547.member_1][3u];
-                                            let _e816 = (((_e796 >> bitcast<u32>(22i)) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e804 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e817 = (_e792 & 268435455u);
-                                            let _e818 = (_e816 & 268435455u);
-                                            let _e821 = ((_e792 >> bitcast<u32>(28u)) & 7u);
-                                            let _e829 = ((_e792 >> bitcast<u32>(31i)) | (((_e816 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e830 = (_e821 != 0u);
-                                            if (_e821 == 0u) {
-                                                phi_2854_ = _e817;
+                                            let _e765 = phi_2456_;
+                                            let _e771 = global_3.member[_e547.member_1][0u];
+                                            let _e775 = global_3.member[_e547.member_1][1u];
+                                            let _e779 = global_3.member[_e547.member_1][2u];
+                                            let _e783 = global_3.member[_e547.member_1][3u];
+                                            let _e795 = (((_e775 >> bitcast<u32>(22i)) | ((_e779 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e783 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e796 = (_e771 & 268435455u);
+                                            let _e797 = (_e795 & 268435455u);
+                                            let _e800 = ((_e771 >> bitcast<u32>(28u)) & 7u);
+                                            let _e808 = ((_e771 >> bitcast<u32>(31i)) | (((_e795 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e809 = (_e800 != 0u);
+                                            if (_e800 == 0u) {
+                                                phi_2711_ = _e796;
                                             } else {
-                                                if (_e821 == 7u) {
-                                                    phi_2853_ = 2147483648u;
+                                                if (_e800 == 7u) {
+                                                    phi_2710_ = 2147483648u;
                                                 } else {
-                                                    phi_2853_ = ((2147483648u | (_e821 << bitcast<u32>(28u))) | (_e818 & 268435455u));
+                                                    phi_2710_ = ((2147483648u | (_e800 << bitcast<u32>(28u))) | (_e797 & 268435455u));
                                                 }
-                                                let _e839 = phi_2853_;
-                                                phi_2854_ = _e839;
+                                                let _e818 = phi_2710_;
+                                                phi_2711_ = _e818;
                                             }
-                                            let _e841 = phi_2854_;
-                                            if _e830 {
-                                                let _e842 = (_e821 != 7u);
-                                                if _e842 {
-                                                    phi_2864_ = (_e818 + (_e821 * ((3u * _e786) + 1u)));
+                                            let _e820 = phi_2711_;
+                                            if _e809 {
+                                                let _e821 = (_e800 != 7u);
+                                                if _e821 {
+                                                    phi_2721_ = (_e797 + (_e800 * ((3u * _e765) + 1u)));
                                                 } else {
-                                                    phi_2864_ = u32();
+                                                    phi_2721_ = u32();
                                                 }
-                                                let _e846 = phi_2864_;
-                                                phi_2866_ = _e846;
-                                                phi_2867_ = select(true, false, _e842);
+                                                let _e825 = phi_2721_;
+                                                phi_2723_ = _e825;
+                                                phi_2724_ = select(true, false, _e821);
                                             } else {
-                                                phi_2866_ = u32();
-                                                phi_2867_ = true;
+                                                phi_2723_ = u32();
+                                                phi_2724_ = true;
                                             }
-                                            let _e849 = phi_2866_;
-                                            let _e851 = phi_2867_;
-                                            if (_e829 == 0u) {
-                                                phi_2888_ = (_e817 + select(0u, 1u, !(_e830)));
+                                            let _e828 = phi_2723_;
+                                            let _e830 = phi_2724_;
+                                            if (_e808 == 0u) {
+                                                phi_2745_ = (_e796 + select(0u, 1u, !(_e809)));
                                             } else {
-                                                if (_e829 == 7u) {
-                                                    phi_2887_ = 2147483648u;
+                                                if (_e808 == 7u) {
+                                                    phi_2744_ = 2147483648u;
                                                 } else {
-                                                    phi_2887_ = ((2147483648u | (_e829 << bitcast<u32>(28u))) | (select(_e849, _e818, _e851) & 268435455u));
+                                                    phi_2744_ = ((2147483648u | (_e808 << bitcast<u32>(28u))) | (select(_e828, _e797, _e830) & 268435455u));
                                                 }
-                                                let _e864 = phi_2887_;
-                                                phi_2888_ = _e864;
+                                                let _e843 = phi_2744_;
+                                                phi_2745_ = _e843;
                                             }
-                                            let _e866 = phi_2888_;
-                                            phi_2892_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e744, (_e547.member.member.x + _e696), _e749, (_e547.member.member_1.x - _e735)), vec4<f32>(_e745, (_e547.member.member.y + _e700), _e750, (_e547.member.member_1.y - _e739)), vec4<f32>(_e746, (_e547.member.member.z + _e704), _e751, (_e547.member.member_1.z - _e743))), type_53(type_32((_e547.member.member + vec4<f32>(_e674, _e683, _e692, 0f)), (_e547.member.member_1 - vec4<f32>(_e713, _e722, _e731, 0f))), _e841), type_53(type_32((_e547.member.member + vec4<f32>(_e696, _e700, _e704, 0f)), (_e547.member.member_1 - vec4<f32>(_e735, _e739, _e743, 0f))), _e866));
+                                            let _e845 = phi_2745_;
+                                            phi_2749_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e723, (_e547.member.member.x + _e675), _e728, (_e547.member.member_1.x - _e714)), vec4<f32>(_e724, (_e547.member.member.y + _e679), _e729, (_e547.member.member_1.y - _e718)), vec4<f32>(_e725, (_e547.member.member.z + _e683), _e730, (_e547.member.member_1.z - _e722))), type_53(type_32((_e547.member.member + vec4<f32>(_e653, _e662, _e671, 0f)), (_e547.member.member_1 - vec4<f32>(_e692, _e701, _e710, 0f))), _e820), type_53(type_32((_e547.member.member + vec4<f32>(_e675, _e679, _e683, 0f)), (_e547.member.member_1 - vec4<f32>(_e714, _e718, _e722, 0f))), _e845));
                                         }
-                                        let _e871 = phi_2892_;
-                                        let _e883 = ((_e871.member[0].x - _e336) * _e341);
-                                        let _e884 = ((_e871.member[0].y - _e336) * _e341);
-                                        let _e885 = ((_e871.member[0].z - _e337) * _e341);
-                                        let _e886 = ((_e871.member[0].w - _e337) * _e341);
-                                        let _e896 = ((_e871.member[1].x - _e374) * _e379);
-                                        let _e897 = ((_e871.member[1].y - _e374) * _e379);
-                                        let _e898 = ((_e871.member[1].z - _e375) * _e379);
-                                        let _e899 = ((_e871.member[1].w - _e375) * _e379);
-                                        let _e909 = ((_e871.member[2].x - _e412) * _e417);
-                                        let _e910 = ((_e871.member[2].y - _e412) * _e417);
-                                        let _e911 = ((_e871.member[2].z - _e413) * _e417);
-                                        let _e912 = ((_e871.member[2].w - _e413) * _e417);
-                                        let _e914 = select(_e911, _e909, (_e909 < _e911));
-                                        let _e916 = select(_e912, _e910, (_e910 < _e912));
-                                        let _e918 = select(_e911, _e909, (_e909 > _e911));
-                                        let _e920 = select(_e912, _e910, (_e910 > _e912));
-                                        let _e922 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e924 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e926 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e928 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e930 = select(_e926, _e922, (_e922 > _e926));
-                                        let _e932 = select(_e928, _e924, (_e924 > _e928));
-                                        let _e934 = select(_e914, _e930, (_e930 > _e914));
-                                        let _e936 = select(_e916, _e932, (_e932 > _e916));
-                                        let _e938 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e940 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e942 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e944 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e946 = select(_e942, _e938, (_e938 < _e942));
-                                        let _e948 = select(_e944, _e940, (_e940 < _e944));
-                                        let _e953 = -(_e914);
-                                        let _e954 = -(_e916);
-                                        let _e961 = (select(_e918, _e946, (_e946 < _e918)) + (select(_e953, _e918, (_e918 > _e953)) * 0.0000019073523f));
-                                        let _e962 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e954, _e920, (_e920 > _e954)) * 0.0000019073523f));
-                                        let _e964 = select(_e464, _e934, (_e934 > _e464));
-                                        let _e966 = select(_e464, _e936, (_e936 > _e464));
-                                        let _e971 = (_e964 <= select(_e508.member_1, _e961, (_e961 < _e508.member_1)));
-                                        let _e972 = (_e966 <= select(_e508.member_1, _e962, (_e962 < _e508.member_1)));
-                                        let _e973 = (_e964 <= _e966);
-                                        if _e971 {
-                                            if _e972 {
-                                                if _e973 {
-                                                    phi_3236_ = _e871.member_2;
+                                        let _e850 = phi_2749_;
+                                        let _e862 = ((_e850.member[0].x - _e336) * _e341);
+                                        let _e863 = ((_e850.member[0].y - _e336) * _e341);
+                                        let _e864 = ((_e850.member[0].z - _e337) * _e341);
+                                        let _e865 = ((_e850.member[0].w - _e337) * _e341);
+                                        let _e875 = ((_e850.member[1].x - _e374) * _e379);
+                                        let _e876 = ((_e850.member[1].y - _e374) * _e379);
+                                        let _e877 = ((_e850.member[1].z - _e375) * _e379);
+                                        let _e878 = ((_e850.member[1].w - _e375) * _e379);
+                                        let _e888 = ((_e850.member[2].x - _e412) * _e417);
+                                        let _e889 = ((_e850.member[2].y - _e412) * _e417);
+                                        let _e890 = ((_e850.member[2].z - _e413) * _e417);
+                                        let _e891 = ((_e850.member[2].w - _e413) * _e417);
+                                        let _e893 = select(_e890, _e888, (_e888 < _e890));
+                                        let _e895 = select(_e891, _e889, (_e889 < _e891));
+                                        let _e897 = select(_e890, _e888, (_e888 > _e890));
+                                        let _e899 = select(_e891, _e889, (_e889 > _e891));
+                                        let _e901 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e903 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e905 = select(_e877, _e875, (_e875 < _e877));
+                                        let _e907 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e909 = select(_e905, _e901, (_e901 > _e905));
+                                        let _e911 = select(_e907, _e903, (_e903 > _e907));
+                                        let _e913 = select(_e893, _e909, (_e909 > _e893));
+                                        let _e915 = select(_e895, _e911, (_e911 > _e895));
+                                        let _e917 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e919 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e921 = select(_e877, _e875, (_e875 > _e877));
+                                        let _e923 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e925 = select(_e921, _e917, (_e917 < _e921));
+                                        let _e927 = select(_e923, _e919, (_e919 < _e923));
+                                        let _e932 = -(_e893);
+                                        let _e933 = -(_e895);
+                                        let _e940 = (select(_e897, _e925, (_e925 < _e897)) + (select(_e932, _e897, (_e897 > _e932)) * 0.0000019073523f));
+                                        let _e941 = (select(_e899, _e927, (_e927 < _e899)) + (select(_e933, _e899, (_e899 > _e933)) * 0.0000019073523f));
+                                        let _e943 = select(_e464, _e913, (_e913 > _e464));
+                                        let _e945 = select(_e464, _e915, (_e915 > _e464));
+                                        let _e950 = (_e943 <= select(_e508.member_1, _e940, (_e940 < _e508.member_1)));
+                                        let _e951 = (_e945 <= select(_e508.member_1, _e941, (_e941 < _e508.member_1)));
+                                        let _e952 = (_e943 <= _e945);
+                                        if _e950 {
+                                            if _e951 {
+                                                if _e952 {
+                                                    phi_3093_ = _e850.member_2;
                                                 } else {
-                                                    phi_3236_ = _e871.member_1;
+                                                    phi_3093_ = _e850.member_1;
                                                 }
-                                                let _e977 = phi_3236_;
-                                                let _e999 = (_e551 % 128u);
-                                                let _e1000 = (_e999 < 128u);
-                                                if _e1000 {
+                                                let _e956 = phi_3093_;
+                                                let _e978 = (_e551 % 128u);
+                                                let _e979 = (_e978 < 128u);
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_8[_e999] = _e977.member_1;
-                                                if _e1000 {
+                                                local_8[_e978] = _e956.member_1;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_7[_e999] = _e977.member.member.x;
-                                                if _e1000 {
+                                                local_7[_e978] = _e956.member.member.x;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_6[_e999] = _e977.member.member.y;
-                                                if _e1000 {
+                                                local_6[_e978] = _e956.member.member.y;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_5[_e999] = _e977.member.member.z;
-                                                if _e1000 {
+                                                local_5[_e978] = _e956.member.member.z;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_4[_e999] = _e977.member.member_1.x;
-                                                if _e1000 {
+                                                local_4[_e978] = _e956.member.member_1.x;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_3[_e999] = _e977.member.member_1.y;
-                                                if _e1000 {
+                                                local_3[_e978] = _e956.member.member_1.y;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_2[_e999] = _e977.member.member_1.z;
-                                                if _e1000 {
+                                                local_2[_e978] = _e956.member.member_1.z;
+                                                if _e979 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_9[_e999] = select(_e966, _e964, (_e964 > _e966));
-                                                if _e973 {
-                                                    phi_3313_ = _e871.member_1;
+                                                local_9[_e978] = select(_e945, _e943, (_e943 > _e945));
+                                                if _e952 {
+                                                    phi_3170_ = _e850.member_1;
                                                 } else {
-                                                    phi_3313_ = _e871.member_2;
+                                                    phi_3170_ = _e850.member_2;
                                                 }
-                                                let _e1013 = phi_3313_;
-                                                phi_3314_ = _e1013;
-                                                phi_3315_ = (_e551 + 1u);
+                                                let _e992 = phi_3170_;
+                                                phi_3171_ = _e992;
+                                                phi_3172_ = (_e551 + 1u);
                                             } else {
-                                                phi_3314_ = type_53();
-                                                phi_3315_ = u32();
+                                                phi_3171_ = type_53();
+                                                phi_3172_ = u32();
                                             }
-                                            let _e1015 = phi_3314_;
-                                            let _e1017 = phi_3315_;
-                                            phi_3317_ = _e1015;
-                                            phi_3318_ = _e1017;
-                                            phi_3319_ = select(true, false, _e972);
+                                            let _e994 = phi_3171_;
+                                            let _e996 = phi_3172_;
+                                            phi_3174_ = _e994;
+                                            phi_3175_ = _e996;
+                                            phi_3176_ = select(true, false, _e951);
                                         } else {
-                                            phi_3317_ = type_53();
-                                            phi_3318_ = u32();
-                                            phi_3319_ = true;
+                                            phi_3174_ = type_53();
+                                            phi_3175_ = u32();
+                                            phi_3176_ = true;
                                         }
-                                        let _e1020 = phi_3317_;
-                                        let _e1022 = phi_3318_;
-                                        let _e1024 = phi_3319_;
-                                        if _e1024 {
-                                            if _e971 {
-                                                phi_3328_ = _e871.member_1;
+                                        let _e999 = phi_3174_;
+                                        let _e1001 = phi_3175_;
+                                        let _e1003 = phi_3176_;
+                                        if _e1003 {
+                                            if _e950 {
+                                                phi_3185_ = _e850.member_1;
                                             } else {
-                                                phi_3328_ = _e871.member_2;
+                                                phi_3185_ = _e850.member_2;
                                             }
-                                            let _e1028 = phi_3328_;
-                                            phi_3333_ = _e1028;
-                                            phi_3334_ = select(_e972, true, _e971);
+                                            let _e1007 = phi_3185_;
+                                            phi_3190_ = _e1007;
+                                            phi_3191_ = select(_e951, true, _e950);
                                         } else {
-                                            phi_3333_ = _e1020;
-                                            phi_3334_ = _e549;
+                                            phi_3190_ = _e999;
+                                            phi_3191_ = _e549;
                                         }
-                                        let _e1031 = phi_3333_;
-                                        let _e1033 = phi_3334_;
-                                        phi_3747_ = _e506;
-                                        phi_3336_ = _e508;
-                                        phi_3337_ = _e1031;
-                                        phi_3338_ = _e1033;
-                                        phi_3339_ = select(_e1022, _e551, _e1024);
+                                        let _e1010 = phi_3190_;
+                                        let _e1012 = phi_3191_;
+                                        phi_3604_ = _e506;
+                                        phi_3193_ = _e508;
+                                        phi_3194_ = _e1010;
+                                        phi_3195_ = _e1012;
+                                        phi_3196_ = select(_e1001, _e551, _e1003);
                                     }
-                                    let _e1552 = phi_3747_;
-                                    let _e1554 = phi_3336_;
-                                    let _e1556 = phi_3337_;
-                                    let _e1558 = phi_3338_;
-                                    let _e1560 = phi_3339_;
-                                    phi_3746_ = _e1552;
-                                    phi_3340_ = _e1554;
-                                    phi_3341_ = _e1556;
-                                    phi_3342_ = (_e512 - 1u);
-                                    phi_3343_ = _e1558;
-                                    phi_3344_ = _e1560;
+                                    let _e1531 = phi_3604_;
+                                    let _e1533 = phi_3193_;
+                                    let _e1535 = phi_3194_;
+                                    let _e1537 = phi_3195_;
+                                    let _e1539 = phi_3196_;
+                                    phi_3603_ = _e1531;
+                                    phi_3197_ = _e1533;
+                                    phi_3198_ = _e1535;
+                                    phi_3199_ = (_e512 - 1u);
+                                    phi_3200_ = _e1537;
+                                    phi_3201_ = _e1539;
                                 } else {
-                                    phi_3746_ = _e506;
-                                    phi_3340_ = _e508;
-                                    phi_3341_ = _e547;
-                                    phi_3342_ = _e512;
-                                    phi_3343_ = _e549;
-                                    phi_3344_ = _e551;
+                                    phi_3603_ = _e506;
+                                    phi_3197_ = _e508;
+                                    phi_3198_ = _e547;
+                                    phi_3199_ = _e512;
+                                    phi_3200_ = _e549;
+                                    phi_3201_ = _e551;
                                 }
-                                let _e1562 = phi_3746_;
-                                let _e1564 = phi_3340_;
-                                let _e1566 = phi_3341_;
-                                let _e1568 = phi_3342_;
-                                let _e1570 = phi_3343_;
-                                let _e1572 = phi_3344_;
-                                phi_3745_ = _e1562;
-                                phi_3345_ = _e1564;
-                                phi_3346_ = _e1566;
-                                phi_3347_ = _e1568;
-                                phi_3348_ = _e1570;
-                                phi_3349_ = _e1572;
+                                let _e1541 = phi_3603_;
+                                let _e1543 = phi_3197_;
+                                let _e1545 = phi_3198_;
+                                let _e1547 = phi_3199_;
+                                let _e1549 = phi_3200_;
+                                let _e1551 = phi_3201_;
+                                phi_3602_ = _e1541;
+                                phi_3202_ = _e1543;
+                                phi_3203_ = _e1545;
+                                phi_3204_ = _e1547;
+                                phi_3205_ = _e1549;
+                                phi_3206_ = _e1551;
                             } else {
-                                phi_3745_ = _e506;
-                                phi_3345_ = type_37();
-                                phi_3346_ = type_53();
-                                phi_3347_ = u32();
-                                phi_3348_ = bool();
-                                phi_3349_ = u32();
+                                phi_3602_ = _e506;
+                                phi_3202_ = type_37();
+                                phi_3203_ = type_53();
+                                phi_3204_ = u32();
+                                phi_3205_ = bool();
+                                phi_3206_ = u32();
                             }
-                            let _e1574 = phi_3745_;
-                            let _e1576 = phi_3345_;
-                            let _e1578 = phi_3346_;
-                            let _e1580 = phi_3347_;
-                            let _e1582 = phi_3348_;
-                            let _e1584 = phi_3349_;
-                            phi_3744_ = _e1574;
-                            phi_862_ = _e1576;
-                            phi_865_ = _e1578;
-                            phi_867_ = _e1580;
-                            phi_869_ = _e1582;
-                            phi_871_ = _e1584;
-                            phi_3350_ = _e520;
+                            let _e1553 = phi_3602_;
+                            let _e1555 = phi_3202_;
+                            let _e1557 = phi_3203_;
+                            let _e1559 = phi_3204_;
+                            let _e1561 = phi_3205_;
+                            let _e1563 = phi_3206_;
+                            phi_3601_ = _e1553;
+                            phi_861_ = _e1555;
+                            phi_864_ = _e1557;
+                            phi_866_ = _e1559;
+                            phi_868_ = _e1561;
+                            phi_870_ = _e1563;
+                            phi_3207_ = _e520;
                         } else {
-                            phi_3744_ = _e506;
-                            phi_862_ = type_37();
-                            phi_865_ = type_53();
-                            phi_867_ = u32();
-                            phi_869_ = bool();
-                            phi_871_ = u32();
-                            phi_3350_ = false;
+                            phi_3601_ = _e506;
+                            phi_861_ = type_37();
+                            phi_864_ = type_53();
+                            phi_866_ = u32();
+                            phi_868_ = bool();
+                            phi_870_ = u32();
+                            phi_3207_ = false;
                         }
-                        let _e1586 = phi_3744_;
-                        let _e1588 = phi_862_;
-                        let _e1590 = phi_865_;
-                        let _e1592 = phi_867_;
-                        let _e1594 = phi_869_;
-                        let _e1596 = phi_871_;
-                        let _e1598 = phi_3350_;
+                        let _e1565 = phi_3601_;
+                        let _e1567 = phi_861_;
+                        let _e1569 = phi_864_;
+                        let _e1571 = phi_866_;
+                        let _e1573 = phi_868_;
+                        let _e1575 = phi_870_;
+                        let _e1577 = phi_3207_;
                         continue;
                         continuing {
-                            phi_3629_ = _e1586;
-                            phi_861_ = _e1588;
-                            phi_864_ = _e1590;
-                            phi_866_ = _e1592;
-                            phi_868_ = _e1594;
-                            phi_870_ = _e1596;
-                            phi_3743_ = _e1586;
-                            break if !(_e1598);
+                            phi_3486_ = _e1565;
+                            phi_860_ = _e1567;
+                            phi_863_ = _e1569;
+                            phi_865_ = _e1571;
+                            phi_867_ = _e1573;
+                            phi_869_ = _e1575;
+                            phi_3600_ = _e1565;
+                            break if !(_e1577);
                         }
                     }
-                    let _e1601 = phi_3743_;
-                    if _e1601 {
+                    let _e1580 = phi_3600_;
+                    if _e1580 {
                         break;
                     }
-                    let _e1603 = local_13;
-                    if (_e1603.member.member_3 != 4294967295u) {
-                        let _e1608 = -(_e431);
-                        let _e1609 = (_e1608 / 3i);
-                        let _e1616 = bitcast<f32>((bitcast<u32>((_e1609 + 127i)) << bitcast<u32>(23i)));
-                        let _e1624 = (((_e1603.member.member * _e1616) * _e1616) * bitcast<f32>((bitcast<u32>(((_e1608 - (2i * _e1609)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1626 = select(340282350000000000000000000000000000000f, _e1624, (_e1624 < 340282350000000000000000000000000000000f));
-                        phi_3402_ = type_24(select(-340282350000000000000000000000000000000f, _e1626, (_e1626 > -340282350000000000000000000000000000000f)), _e1603.member.member_1, _e1603.member.member_2, _e1603.member.member_3);
+                    let _e1582 = local_13;
+                    if (_e1582.member.member_3 != 4294967295u) {
+                        let _e1587 = -(_e431);
+                        let _e1588 = (_e1587 / 3i);
+                        let _e1595 = bitcast<f32>((bitcast<u32>((_e1588 + 127i)) << bitcast<u32>(23i)));
+                        let _e1603 = (((_e1582.member.member * _e1595) * _e1595) * bitcast<f32>((bitcast<u32>(((_e1587 - (2i * _e1588)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1605 = select(340282350000000000000000000000000000000f, _e1603, (_e1603 < 340282350000000000000000000000000000000f));
+                        phi_3259_ = type_24(select(-340282350000000000000000000000000000000f, _e1605, (_e1605 > -340282350000000000000000000000000000000f)), _e1582.member.member_1, _e1582.member.member_2, _e1582.member.member_3);
                     } else {
-                        phi_3402_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3259_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1633 = phi_3402_;
+                    let _e1612 = phi_3259_;
                     if _e152 {
                     } else {
                         break;
                     }
-                    global_6.member[_e150] = _e1633;
+                    global_6.member[_e150] = _e1612;
                 }
             }
             break;

@@ -52,7 +52,7 @@ struct type_41 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_48 {
+struct type_45 {
     member: array<array<u32, 7>>,
 }
 
@@ -77,7 +77,7 @@ var<uniform> global_3: type_41;
 @group(0) @binding(4) 
 var<storage> global_4: type_38;
 @group(0) @binding(2) 
-var<storage> global_5: type_48;
+var<storage> global_5: type_45;
 @group(0) @binding(5) 
 var<storage, read_write> global_6: type_23;
 
@@ -92,119 +92,119 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_378_: i32;
-    var phi_379_: i32;
-    var phi_389_: bool;
-    var phi_399_: u32;
-    var phi_400_: u32;
-    var phi_402_: bool;
-    var phi_407_: u32;
-    var phi_420_: i32;
-    var phi_440_: i32;
-    var phi_458_: f32;
-    var phi_464_: f32;
-    var phi_475_: f32;
-    var phi_481_: f32;
-    var phi_504_: f32;
-    var phi_515_: f32;
-    var phi_524_: f32;
-    var phi_530_: f32;
-    var phi_541_: f32;
-    var phi_547_: f32;
-    var phi_570_: f32;
-    var phi_581_: f32;
-    var phi_590_: f32;
-    var phi_596_: f32;
-    var phi_607_: f32;
-    var phi_613_: f32;
-    var phi_636_: f32;
-    var phi_647_: f32;
-    var phi_747_: f32;
-    var phi_748_: f32;
-    var phi_3326_: bool;
-    var phi_837_: type_33;
-    var phi_840_: type_50;
-    var phi_842_: u32;
-    var phi_844_: bool;
-    var phi_846_: u32;
-    var phi_857_: bool;
-    var phi_943_: type_50;
-    var phi_944_: bool;
-    var phi_945_: u32;
-    var phi_2573_: u32;
-    var phi_2574_: u32;
-    var phi_2584_: u32;
-    var phi_2586_: u32;
-    var phi_2587_: bool;
-    var phi_2607_: u32;
-    var phi_2608_: u32;
-    var phi_2612_: type_51;
-    var phi_2956_: type_50;
-    var phi_3033_: type_50;
-    var phi_3034_: type_50;
-    var phi_3035_: u32;
-    var phi_3037_: type_50;
-    var phi_3038_: u32;
-    var phi_3039_: bool;
-    var phi_3048_: type_50;
-    var phi_3053_: type_50;
-    var phi_3054_: bool;
-    var phi_963_: type_33;
-    var phi_966_: type_4;
-    var phi_967_: type_4;
-    var phi_989_: type_4;
-    var phi_1010_: u32;
-    var phi_1099_: array<array<f32, 3>, 3>;
-    var phi_1570_: vec3<f32>;
-    var phi_1571_: vec3<f32>;
-    var phi_1602_: bool;
-    var phi_1611_: vec3<f32>;
-    var phi_1651_: type_21;
+    var phi_374_: i32;
+    var phi_375_: i32;
+    var phi_385_: bool;
+    var phi_395_: u32;
+    var phi_396_: u32;
+    var phi_398_: bool;
+    var phi_403_: u32;
+    var phi_415_: i32;
+    var phi_435_: i32;
+    var phi_453_: f32;
+    var phi_459_: f32;
+    var phi_470_: f32;
+    var phi_476_: f32;
+    var phi_499_: f32;
+    var phi_510_: f32;
+    var phi_519_: f32;
+    var phi_525_: f32;
+    var phi_536_: f32;
+    var phi_542_: f32;
+    var phi_565_: f32;
+    var phi_576_: f32;
+    var phi_585_: f32;
+    var phi_591_: f32;
+    var phi_602_: f32;
+    var phi_608_: f32;
+    var phi_631_: f32;
+    var phi_642_: f32;
+    var phi_742_: f32;
+    var phi_743_: f32;
+    var phi_3179_: bool;
+    var phi_832_: type_33;
+    var phi_835_: type_50;
+    var phi_837_: u32;
+    var phi_839_: bool;
+    var phi_841_: u32;
+    var phi_852_: bool;
+    var phi_938_: type_50;
+    var phi_939_: bool;
+    var phi_940_: u32;
+    var phi_2426_: u32;
+    var phi_2427_: u32;
+    var phi_2437_: u32;
+    var phi_2439_: u32;
+    var phi_2440_: bool;
+    var phi_2460_: u32;
+    var phi_2461_: u32;
+    var phi_2465_: type_51;
+    var phi_2809_: type_50;
+    var phi_2886_: type_50;
+    var phi_2887_: type_50;
+    var phi_2888_: u32;
+    var phi_2890_: type_50;
+    var phi_2891_: u32;
+    var phi_2892_: bool;
+    var phi_2901_: type_50;
+    var phi_2906_: type_50;
+    var phi_2907_: bool;
+    var phi_958_: type_33;
+    var phi_961_: type_4;
+    var phi_962_: type_4;
+    var phi_984_: type_4;
+    var phi_1005_: u32;
+    var phi_1094_: array<array<f32, 3>, 3>;
+    var phi_1565_: vec3<f32>;
+    var phi_1566_: vec3<f32>;
+    var phi_1597_: bool;
+    var phi_1606_: vec3<f32>;
+    var phi_1646_: type_21;
+    var phi_1648_: type_21;
+    var phi_1649_: bool;
     var phi_1653_: type_21;
-    var phi_1654_: bool;
-    var phi_1658_: type_21;
-    var phi_1659_: type_21;
+    var phi_1654_: type_21;
+    var phi_1655_: type_21;
+    var phi_1656_: bool;
     var phi_1660_: type_21;
     var phi_1661_: bool;
     var phi_1665_: type_21;
     var phi_1666_: bool;
     var phi_1670_: type_21;
-    var phi_1671_: bool;
-    var phi_1675_: type_21;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var phi_1707_: type_33;
-    var phi_1708_: type_33;
-    var phi_1709_: type_33;
-    var phi_964_: type_33;
-    var phi_3320_: bool;
-    var phi_3438_: bool;
-    var phi_3056_: type_33;
-    var phi_3057_: type_50;
-    var phi_3058_: bool;
-    var phi_3059_: u32;
-    var phi_3437_: bool;
-    var phi_3060_: type_33;
-    var phi_3061_: type_50;
-    var phi_3062_: u32;
-    var phi_3063_: bool;
-    var phi_3064_: u32;
-    var phi_3436_: bool;
-    var phi_3065_: type_33;
-    var phi_3066_: type_50;
-    var phi_3067_: u32;
-    var phi_3068_: bool;
-    var phi_3069_: u32;
-    var phi_3435_: bool;
-    var phi_838_: type_33;
-    var phi_841_: type_50;
-    var phi_843_: u32;
-    var phi_845_: bool;
-    var phi_847_: u32;
-    var phi_3070_: bool;
-    var phi_3434_: bool;
+    var phi_1695_: bool;
+    var phi_1696_: bool;
+    var phi_1702_: type_33;
+    var phi_1703_: type_33;
+    var phi_1704_: type_33;
+    var phi_959_: type_33;
+    var phi_3173_: bool;
+    var phi_3291_: bool;
+    var phi_2909_: type_33;
+    var phi_2910_: type_50;
+    var phi_2911_: bool;
+    var phi_2912_: u32;
+    var phi_3290_: bool;
+    var phi_2913_: type_33;
+    var phi_2914_: type_50;
+    var phi_2915_: u32;
+    var phi_2916_: bool;
+    var phi_2917_: u32;
+    var phi_3289_: bool;
+    var phi_2918_: type_33;
+    var phi_2919_: type_50;
+    var phi_2920_: u32;
+    var phi_2921_: bool;
+    var phi_2922_: u32;
+    var phi_3288_: bool;
+    var phi_833_: type_33;
+    var phi_836_: type_50;
+    var phi_838_: u32;
+    var phi_840_: bool;
+    var phi_842_: u32;
+    var phi_2923_: bool;
+    var phi_3287_: bool;
     var local_10: type_33;
-    var phi_3122_: type_21;
+    var phi_2975_: type_21;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
@@ -257,199 +257,199 @@ fn function_() {
                     if _e215 {
                         let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
                         if (_e218 >= 8388608u) {
-                            phi_378_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                            phi_374_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_378_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_374_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                         }
-                        let _e232 = phi_378_;
-                        phi_379_ = _e232;
+                        let _e232 = phi_374_;
+                        phi_375_ = _e232;
                     } else {
-                        phi_379_ = 0i;
+                        phi_375_ = 0i;
                     }
-                    let _e234 = phi_379_;
+                    let _e234 = phi_375_;
                     let _e235 = (_e151 == _e190);
                     if _e235 {
-                        phi_389_ = true;
+                        phi_385_ = true;
                     } else {
-                        phi_389_ = (_e158 == _e190);
+                        phi_385_ = (_e158 == _e190);
                     }
-                    let _e238 = phi_389_;
+                    let _e238 = phi_385_;
                     let _e239 = select(1u, 0u, _e235);
                     if _e238 {
                         let _e240 = (_e239 + 1u);
-                        phi_399_ = _e240;
-                        phi_400_ = _e240;
-                        phi_402_ = select(true, false, (_e240 == 2u));
+                        phi_395_ = _e240;
+                        phi_396_ = _e240;
+                        phi_398_ = select(true, false, (_e240 == 2u));
                     } else {
-                        phi_399_ = u32();
-                        phi_400_ = 0u;
-                        phi_402_ = true;
+                        phi_395_ = u32();
+                        phi_396_ = 0u;
+                        phi_398_ = true;
                     }
-                    let _e244 = phi_399_;
-                    let _e246 = phi_400_;
-                    let _e248 = phi_402_;
+                    let _e244 = phi_395_;
+                    let _e246 = phi_396_;
+                    let _e248 = phi_398_;
                     if _e248 {
-                        phi_407_ = (_e246 + 1u);
+                        phi_403_ = (_e246 + 1u);
                     } else {
-                        phi_407_ = 0u;
+                        phi_403_ = 0u;
                     }
-                    let _e252 = phi_407_;
+                    let _e252 = phi_403_;
                     let _e253 = select(_e244, _e246, _e248);
                     let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
                     if (_e121 < -126i) {
-                        phi_420_ = -126i;
+                        phi_415_ = -126i;
                     } else {
-                        phi_420_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_415_ = select(_e121, 127i, (_e121 > 127i));
                     }
-                    let _e259 = phi_420_;
+                    let _e259 = phi_415_;
                     let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
                     let _e270 = bitcast<f32>((bitcast<u32>(((_e121 - _e259) + 127i)) << bitcast<u32>(23i)));
                     let _e271 = -(_e234);
                     if (_e271 < -126i) {
-                        phi_440_ = -126i;
+                        phi_435_ = -126i;
                     } else {
-                        phi_440_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_435_ = select(_e271, 127i, (_e271 > 127i));
                     }
-                    let _e276 = phi_440_;
+                    let _e276 = phi_435_;
                     let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
                     let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
                     let _e291 = global_4.member[_e139].member;
                     let _e292 = (_e253 == 0u);
                     if _e292 {
-                        phi_458_ = _e291[0];
+                        phi_453_ = _e291[0];
                     } else {
-                        phi_458_ = _e291[1];
+                        phi_453_ = _e291[1];
                     }
-                    let _e296 = phi_458_;
+                    let _e296 = phi_453_;
                     let _e297 = (_e253 == 2u);
                     if _e297 {
-                        phi_464_ = _e291[2];
+                        phi_459_ = _e291[2];
                     } else {
-                        phi_464_ = _e296;
+                        phi_459_ = _e296;
                     }
-                    let _e300 = phi_464_;
+                    let _e300 = phi_459_;
                     let _e302 = ((_e300 * _e264) * _e270);
                     let _e303 = global_4.member[_e139].member_2;
                     if _e292 {
-                        phi_475_ = _e303[0];
+                        phi_470_ = _e303[0];
                     } else {
-                        phi_475_ = _e303[1];
+                        phi_470_ = _e303[1];
                     }
-                    let _e307 = phi_475_;
+                    let _e307 = phi_470_;
                     if _e297 {
-                        phi_481_ = _e303[2];
+                        phi_476_ = _e303[2];
                     } else {
-                        phi_481_ = _e307;
+                        phi_476_ = _e307;
                     }
-                    let _e310 = phi_481_;
+                    let _e310 = phi_476_;
                     let _e312 = ((_e310 * _e281) * _e287);
                     let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e316 {
                         let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_504_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                        phi_499_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
                     } else {
-                        phi_504_ = 0f;
+                        phi_499_ = 0f;
                     }
-                    let _e324 = phi_504_;
+                    let _e324 = phi_499_;
                     let _e325 = (_e302 + _e324);
                     let _e326 = (_e302 - _e324);
                     let _e327 = select(_e312, 0f, _e316);
                     if _e316 {
-                        phi_515_ = 38685626000000000000000000f;
+                        phi_510_ = 38685626000000000000000000f;
                     } else {
-                        phi_515_ = (1f / _e312);
+                        phi_510_ = (1f / _e312);
                     }
-                    let _e330 = phi_515_;
+                    let _e330 = phi_510_;
                     let _e331 = (_e252 == 0u);
                     if _e331 {
-                        phi_524_ = _e291[0];
+                        phi_519_ = _e291[0];
                     } else {
-                        phi_524_ = _e291[1];
+                        phi_519_ = _e291[1];
                     }
-                    let _e335 = phi_524_;
+                    let _e335 = phi_519_;
                     let _e336 = (_e252 == 2u);
                     if _e336 {
-                        phi_530_ = _e291[2];
+                        phi_525_ = _e291[2];
                     } else {
-                        phi_530_ = _e335;
+                        phi_525_ = _e335;
                     }
-                    let _e339 = phi_530_;
+                    let _e339 = phi_525_;
                     let _e341 = ((_e339 * _e264) * _e270);
                     if _e331 {
-                        phi_541_ = _e303[0];
+                        phi_536_ = _e303[0];
                     } else {
-                        phi_541_ = _e303[1];
+                        phi_536_ = _e303[1];
                     }
-                    let _e345 = phi_541_;
+                    let _e345 = phi_536_;
                     if _e336 {
-                        phi_547_ = _e303[2];
+                        phi_542_ = _e303[2];
                     } else {
-                        phi_547_ = _e345;
+                        phi_542_ = _e345;
                     }
-                    let _e348 = phi_547_;
+                    let _e348 = phi_542_;
                     let _e350 = ((_e348 * _e281) * _e287);
                     let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e354 {
                         let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_570_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                        phi_565_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
                     } else {
-                        phi_570_ = 0f;
+                        phi_565_ = 0f;
                     }
-                    let _e362 = phi_570_;
+                    let _e362 = phi_565_;
                     let _e363 = (_e341 + _e362);
                     let _e364 = (_e341 - _e362);
                     let _e365 = select(_e350, 0f, _e354);
                     if _e354 {
-                        phi_581_ = 38685626000000000000000000f;
+                        phi_576_ = 38685626000000000000000000f;
                     } else {
-                        phi_581_ = (1f / _e350);
+                        phi_576_ = (1f / _e350);
                     }
-                    let _e368 = phi_581_;
+                    let _e368 = phi_576_;
                     let _e369 = (_e254 == 0u);
                     if _e369 {
-                        phi_590_ = _e291[0];
+                        phi_585_ = _e291[0];
                     } else {
-                        phi_590_ = _e291[1];
+                        phi_585_ = _e291[1];
                     }
-                    let _e373 = phi_590_;
+                    let _e373 = phi_585_;
                     let _e374 = (_e254 == 2u);
                     if _e374 {
-                        phi_596_ = _e291[2];
+                        phi_591_ = _e291[2];
                     } else {
-                        phi_596_ = _e373;
+                        phi_591_ = _e373;
                     }
-                    let _e377 = phi_596_;
+                    let _e377 = phi_591_;
                     let _e379 = ((_e377 * _e264) * _e270);
                     if _e369 {
-                        phi_607_ = _e303[0];
+                        phi_602_ = _e303[0];
                     } else {
-                        phi_607_ = _e303[1];
+                        phi_602_ = _e303[1];
                     }
-                    let _e383 = phi_607_;
+                    let _e383 = phi_602_;
                     if _e374 {
-                        phi_613_ = _e303[2];
+                        phi_608_ = _e303[2];
                     } else {
-                        phi_613_ = _e383;
+                        phi_608_ = _e383;
                     }
-                    let _e386 = phi_613_;
+                    let _e386 = phi_608_;
                     let _e388 = ((_e386 * _e281) * _e287);
                     let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e392 {
                         let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_636_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
+                        phi_631_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
                     } else {
-                        phi_636_ = 0f;
+                        phi_631_ = 0f;
                     }
-                    let _e400 = phi_636_;
+                    let _e400 = phi_631_;
                     let _e401 = (_e379 + _e400);
                     let _e402 = (_e379 - _e400);
                     let _e403 = select(_e388, 0f, _e392);
                     if _e392 {
-                        phi_647_ = 38685626000000000000000000f;
+                        phi_642_ = 38685626000000000000000000f;
                     } else {
-                        phi_647_ = (1f / _e388);
+                        phi_642_ = (1f / _e388);
                     }
-                    let _e406 = phi_647_;
+                    let _e406 = phi_642_;
                     let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
                     let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
                     let _e414 = select(_e412, _e409, (_e409 > _e412));
@@ -463,14 +463,14 @@ fn function_() {
                         let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
                         let _e445 = (((_e209 * _e430) * _e430) * _e437);
                         let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_747_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_748_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
+                        phi_742_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
+                        phi_743_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_747_ = 0f;
-                        phi_748_ = 1f;
+                        phi_742_ = 0f;
+                        phi_743_ = 1f;
                     }
-                    let _e451 = phi_747_;
-                    let _e453 = phi_748_;
+                    let _e451 = phi_742_;
+                    let _e453 = phi_743_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -515,796 +515,799 @@ fn function_() {
                         break;
                     }
                     let _e485 = local[_e469];
-                    phi_3326_ = false;
-                    phi_837_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451);
-                    phi_840_ = type_50(type_29(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
-                    phi_842_ = ((3u * _e83) + 1u);
-                    phi_844_ = (_e453 <= _e451);
-                    phi_846_ = 0u;
+                    phi_3179_ = false;
+                    phi_832_ = type_33(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451);
+                    phi_835_ = type_50(type_29(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
+                    phi_837_ = ((3u * _e83) + 1u);
+                    phi_839_ = (_e453 <= _e451);
+                    phi_841_ = 0u;
                     loop {
-                        let _e495 = phi_3326_;
-                        let _e497 = phi_837_;
-                        let _e499 = phi_840_;
-                        let _e501 = phi_842_;
-                        let _e503 = phi_844_;
-                        let _e505 = phi_846_;
+                        let _e495 = phi_3179_;
+                        let _e497 = phi_832_;
+                        let _e499 = phi_835_;
+                        let _e501 = phi_837_;
+                        let _e503 = phi_839_;
+                        let _e505 = phi_841_;
                         local_10 = _e497;
                         if _e503 {
-                            phi_857_ = true;
+                            phi_852_ = true;
                         } else {
-                            phi_857_ = (_e505 > 0u);
+                            phi_852_ = (_e505 > 0u);
                         }
-                        let _e508 = phi_857_;
+                        let _e508 = phi_852_;
                         if _e508 {
                             let _e509 = (_e501 > 0u);
                             if _e509 {
                                 if _e503 {
-                                    phi_943_ = _e499;
-                                    phi_944_ = _e503;
-                                    phi_945_ = _e505;
+                                    phi_938_ = _e499;
+                                    phi_939_ = _e503;
+                                    phi_940_ = _e505;
                                 } else {
                                     let _e510 = (_e505 - 1u);
                                     let _e511 = (_e510 % 128u);
                                     let _e512 = (_e511 < 128u);
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e514 = local_7[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e516 = local_6[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e518 = local_5[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e520 = local_4[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e522 = local_3[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e524 = local_2[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e529 = local_8[_e511];
                                     if _e512 {
                                     } else {
-                                        phi_3434_ = true;
+                                        phi_3287_ = true;
                                         break;
                                     }
                                     let _e532 = local_9[_e511];
-                                    phi_943_ = type_50(type_29(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
-                                    phi_944_ = (_e532 <= _e497.member_1);
-                                    phi_945_ = _e510;
+                                    phi_938_ = type_50(type_29(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
+                                    phi_939_ = (_e532 <= _e497.member_1);
+                                    phi_940_ = _e510;
                                 }
-                                let _e536 = phi_943_;
-                                let _e538 = phi_944_;
-                                let _e540 = phi_945_;
+                                let _e536 = phi_938_;
+                                let _e538 = phi_939_;
+                                let _e540 = phi_940_;
                                 if _e538 {
                                     if ((_e536.member_1 & 2147483648u) != 0u) {
-                                        phi_963_ = _e497;
-                                        phi_966_ = type_4(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_958_ = _e497;
+                                        phi_961_ = type_4(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1005 = phi_963_;
-                                            let _e1007 = phi_966_;
-                                            local_11 = _e1005;
-                                            if (_e1007.member < _e1007.member_1) {
-                                                phi_967_ = type_4((_e1007.member + 1u), _e1007.member_1);
-                                                phi_989_ = type_4(1u, _e1007.member);
+                                            let _e1002 = phi_958_;
+                                            let _e1004 = phi_961_;
+                                            local_11 = _e1002;
+                                            if (_e1004.member < _e1004.member_1) {
+                                                phi_962_ = type_4((_e1004.member + 1u), _e1004.member_1);
+                                                phi_984_ = type_4(1u, _e1004.member);
                                             } else {
-                                                phi_967_ = _e1007;
-                                                phi_989_ = type_4(0u, type_4().member_1);
+                                                phi_962_ = _e1004;
+                                                phi_984_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1020 = phi_967_;
-                                            let _e1022 = phi_989_;
-                                            let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
-                                            if _e1026 {
-                                                let _e1027 = ((_e536.member_1 & 268435455u) + _e1022.member_1);
-                                                let _e1028 = (_e1027 < _e85);
-                                                if _e1028 {
-                                                    if _e1028 {
+                                            let _e1017 = phi_962_;
+                                            let _e1019 = phi_984_;
+                                            let _e1023 = (bitcast<i32>(_e1019.member) != 0i);
+                                            if _e1023 {
+                                                let _e1024 = ((_e536.member_1 & 268435455u) + _e1019.member_1);
+                                                let _e1025 = (_e1024 < _e85);
+                                                if _e1025 {
+                                                    if _e1025 {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1032 = global_2.member[_e1027].member_1;
-                                                    phi_1010_ = _e1032;
+                                                    let _e1029 = global_2.member[_e1024].member_1;
+                                                    phi_1005_ = _e1029;
                                                 } else {
-                                                    phi_1010_ = 4294967295u;
+                                                    phi_1005_ = 4294967295u;
                                                 }
-                                                let _e1034 = phi_1010_;
-                                                if (_e1027 >= _e85) {
-                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1031 = phi_1005_;
+                                                if (_e1024 >= _e85) {
+                                                    phi_1094_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1028 {
+                                                    if _e1025 {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
                                                     if (_e457 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1041 = global_2.member[_e1027].member[_e457];
+                                                    let _e1038 = global_2.member[_e1024].member[_e457];
                                                     if (_e463 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1047 = global_2.member[_e1027].member[_e463];
+                                                    let _e1044 = global_2.member[_e1024].member[_e463];
                                                     if (_e469 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1053 = global_2.member[_e1027].member[_e469];
-                                                    let _e1055 = (3u + _e457);
-                                                    if (_e1055 < 9u) {
+                                                    let _e1050 = global_2.member[_e1024].member[_e469];
+                                                    let _e1052 = (3u + _e457);
+                                                    if (_e1052 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e1027].member[_e1055];
-                                                    let _e1062 = (3u + _e463);
-                                                    if (_e1062 < 9u) {
+                                                    let _e1058 = global_2.member[_e1024].member[_e1052];
+                                                    let _e1059 = (3u + _e463);
+                                                    if (_e1059 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1068 = global_2.member[_e1027].member[_e1062];
-                                                    let _e1069 = (3u + _e469);
-                                                    if (_e1069 < 9u) {
+                                                    let _e1065 = global_2.member[_e1024].member[_e1059];
+                                                    let _e1066 = (3u + _e469);
+                                                    if (_e1066 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1075 = global_2.member[_e1027].member[_e1069];
-                                                    let _e1077 = (6u + _e457);
-                                                    if (_e1077 < 9u) {
+                                                    let _e1072 = global_2.member[_e1024].member[_e1066];
+                                                    let _e1074 = (6u + _e457);
+                                                    if (_e1074 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1083 = global_2.member[_e1027].member[_e1077];
-                                                    let _e1084 = (6u + _e463);
-                                                    if (_e1084 < 9u) {
+                                                    let _e1080 = global_2.member[_e1024].member[_e1074];
+                                                    let _e1081 = (6u + _e463);
+                                                    if (_e1081 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1090 = global_2.member[_e1027].member[_e1084];
-                                                    let _e1091 = (6u + _e469);
-                                                    if (_e1091 < 9u) {
+                                                    let _e1087 = global_2.member[_e1024].member[_e1081];
+                                                    let _e1088 = (6u + _e469);
+                                                    if (_e1088 < 9u) {
                                                     } else {
-                                                        phi_3320_ = true;
+                                                        phi_3173_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_2.member[_e1027].member[_e1091];
-                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1041, _e1047, _e1053), array<f32, 3>(_e1061, _e1068, _e1075), array<f32, 3>(_e1083, _e1090, _e1097));
+                                                    let _e1094 = global_2.member[_e1024].member[_e1088];
+                                                    phi_1094_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1038, _e1044, _e1050), array<f32, 3>(_e1058, _e1065, _e1072), array<f32, 3>(_e1080, _e1087, _e1094));
                                                 }
-                                                let _e1101 = phi_1099_;
-                                                let _e1109 = (_e1101[0][2] - _e379);
-                                                let _e1112 = (((_e1101[0][0] - _e302) * _e403) - (_e1109 * _e327));
-                                                let _e1115 = (((_e1101[0][1] - _e341) * _e403) - (_e1109 * _e365));
-                                                let _e1122 = (_e1101[1][2] - _e379);
-                                                let _e1125 = (((_e1101[1][0] - _e302) * _e403) - (_e1122 * _e327));
-                                                let _e1128 = (((_e1101[1][1] - _e341) * _e403) - (_e1122 * _e365));
-                                                let _e1135 = (_e1101[2][2] - _e379);
-                                                let _e1138 = (((_e1101[2][0] - _e302) * _e403) - (_e1135 * _e327));
-                                                let _e1141 = (((_e1101[2][1] - _e341) * _e403) - (_e1135 * _e365));
-                                                let _e1142 = (_e1138 * _e1128);
-                                                let _e1143 = (_e1141 * _e1125);
-                                                let _e1144 = (_e1112 * _e1141);
-                                                let _e1145 = (_e1115 * _e1138);
-                                                let _e1146 = (_e1125 * _e1115);
-                                                let _e1147 = (_e1128 * _e1112);
-                                                let _e1152 = (((_e1142 >= _e1143) && (_e1144 >= _e1145)) && (_e1146 >= _e1147));
-                                                if (_e1152 || (((_e1142 <= _e1143) && (_e1144 <= _e1145)) && (_e1146 <= _e1147))) {
-                                                    let _e1159 = select(-1f, 1f, _e1152);
-                                                    let _e1161 = ((_e1142 - _e1143) * _e1159);
-                                                    let _e1163 = select(0f, _e1161, (_e1161 > 0f));
-                                                    let _e1165 = ((_e1144 - _e1145) * _e1159);
-                                                    let _e1167 = select(0f, _e1165, (_e1165 > 0f));
-                                                    let _e1169 = ((_e1146 - _e1147) * _e1159);
-                                                    let _e1171 = select(0f, _e1169, (_e1169 > 0f));
-                                                    let _e1173 = ((_e1163 + _e1167) + _e1171);
-                                                    if (_e1173 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1665_ = type_21();
-                                                        phi_1666_ = true;
+                                                let _e1098 = phi_1094_;
+                                                let _e1106 = (_e1098[0][2] - _e379);
+                                                let _e1109 = (((_e1098[0][0] - _e302) * _e403) - (_e1106 * _e327));
+                                                let _e1112 = (((_e1098[0][1] - _e341) * _e403) - (_e1106 * _e365));
+                                                let _e1119 = (_e1098[1][2] - _e379);
+                                                let _e1122 = (((_e1098[1][0] - _e302) * _e403) - (_e1119 * _e327));
+                                                let _e1125 = (((_e1098[1][1] - _e341) * _e403) - (_e1119 * _e365));
+                                                let _e1132 = (_e1098[2][2] - _e379);
+                                                let _e1135 = (((_e1098[2][0] - _e302) * _e403) - (_e1132 * _e327));
+                                                let _e1138 = (((_e1098[2][1] - _e341) * _e403) - (_e1132 * _e365));
+                                                let _e1139 = (_e1135 * _e1125);
+                                                let _e1140 = (_e1138 * _e1122);
+                                                let _e1141 = (_e1109 * _e1138);
+                                                let _e1142 = (_e1112 * _e1135);
+                                                let _e1143 = (_e1122 * _e1112);
+                                                let _e1144 = (_e1125 * _e1109);
+                                                let _e1149 = (((_e1139 >= _e1140) && (_e1141 >= _e1142)) && (_e1143 >= _e1144));
+                                                if (_e1149 || (((_e1139 <= _e1140) && (_e1141 <= _e1142)) && (_e1143 <= _e1144))) {
+                                                    let _e1156 = select(-1f, 1f, _e1149);
+                                                    let _e1158 = ((_e1139 - _e1140) * _e1156);
+                                                    let _e1160 = select(0f, _e1158, (_e1158 > 0f));
+                                                    let _e1162 = ((_e1141 - _e1142) * _e1156);
+                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
+                                                    let _e1166 = ((_e1143 - _e1144) * _e1156);
+                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
+                                                    let _e1170 = ((_e1160 + _e1164) + _e1168);
+                                                    if (_e1170 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1660_ = type_21();
+                                                        phi_1661_ = true;
                                                     } else {
-                                                        let _e1176 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] < _e1101[1][0]));
-                                                        let _e1180 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] > _e1101[1][0]));
-                                                        let _e1184 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] < _e1101[1][1]));
-                                                        let _e1188 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] > _e1101[1][1]));
-                                                        let _e1192 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] < _e1101[1][2]));
-                                                        let _e1196 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] > _e1101[1][2]));
-                                                        let _e1201 = ((select(_e1101[2][0], _e1176, (_e1176 < _e1101[2][0])) - _e325) * _e330);
-                                                        let _e1202 = ((select(_e1101[2][0], _e1180, (_e1180 > _e1101[2][0])) - _e326) * _e330);
-                                                        let _e1205 = ((select(_e1101[2][1], _e1184, (_e1184 < _e1101[2][1])) - _e363) * _e368);
-                                                        let _e1206 = ((select(_e1101[2][1], _e1188, (_e1188 > _e1101[2][1])) - _e364) * _e368);
-                                                        let _e1209 = ((select(_e1101[2][2], _e1192, (_e1192 < _e1101[2][2])) - _e401) * _e406);
-                                                        let _e1210 = ((select(_e1101[2][2], _e1196, (_e1196 > _e1101[2][2])) - _e402) * _e406);
-                                                        let _e1212 = select(_e1210, _e1209, (_e1209 < _e1210));
-                                                        let _e1214 = select(_e1210, _e1209, (_e1209 > _e1210));
-                                                        let _e1216 = select(_e1202, _e1201, (_e1201 < _e1202));
-                                                        let _e1218 = select(_e1206, _e1205, (_e1205 < _e1206));
-                                                        let _e1220 = select(_e1218, _e1216, (_e1216 > _e1218));
-                                                        let _e1222 = select(_e1212, _e1220, (_e1220 > _e1212));
-                                                        let _e1224 = select(_e1202, _e1201, (_e1201 > _e1202));
-                                                        let _e1226 = select(_e1206, _e1205, (_e1205 > _e1206));
-                                                        let _e1228 = select(_e1226, _e1224, (_e1224 < _e1226));
-                                                        let _e1230 = select(_e1214, _e1228, (_e1228 < _e1214));
-                                                        let _e1231 = -(_e1212);
-                                                        let _e1237 = select(_e453, _e1222, (_e1222 > _e453));
-                                                        if (_e1237 > (_e1230 + (select(_e1231, _e1214, (_e1214 > _e1231)) * 0.0000019073523f))) {
-                                                            phi_1660_ = type_21();
-                                                            phi_1661_ = true;
+                                                        let _e1173 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] < _e1098[1][0]));
+                                                        let _e1177 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] > _e1098[1][0]));
+                                                        let _e1181 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] < _e1098[1][1]));
+                                                        let _e1185 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] > _e1098[1][1]));
+                                                        let _e1189 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] < _e1098[1][2]));
+                                                        let _e1193 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] > _e1098[1][2]));
+                                                        let _e1198 = ((select(_e1098[2][0], _e1173, (_e1173 < _e1098[2][0])) - _e325) * _e330);
+                                                        let _e1199 = ((select(_e1098[2][0], _e1177, (_e1177 > _e1098[2][0])) - _e326) * _e330);
+                                                        let _e1202 = ((select(_e1098[2][1], _e1181, (_e1181 < _e1098[2][1])) - _e363) * _e368);
+                                                        let _e1203 = ((select(_e1098[2][1], _e1185, (_e1185 > _e1098[2][1])) - _e364) * _e368);
+                                                        let _e1206 = ((select(_e1098[2][2], _e1189, (_e1189 < _e1098[2][2])) - _e401) * _e406);
+                                                        let _e1207 = ((select(_e1098[2][2], _e1193, (_e1193 > _e1098[2][2])) - _e402) * _e406);
+                                                        let _e1209 = select(_e1207, _e1206, (_e1206 < _e1207));
+                                                        let _e1211 = select(_e1207, _e1206, (_e1206 > _e1207));
+                                                        let _e1213 = select(_e1199, _e1198, (_e1198 < _e1199));
+                                                        let _e1215 = select(_e1203, _e1202, (_e1202 < _e1203));
+                                                        let _e1217 = select(_e1215, _e1213, (_e1213 > _e1215));
+                                                        let _e1219 = select(_e1209, _e1217, (_e1217 > _e1209));
+                                                        let _e1221 = select(_e1199, _e1198, (_e1198 > _e1199));
+                                                        let _e1223 = select(_e1203, _e1202, (_e1202 > _e1203));
+                                                        let _e1225 = select(_e1223, _e1221, (_e1221 < _e1223));
+                                                        let _e1227 = select(_e1211, _e1225, (_e1225 < _e1211));
+                                                        let _e1228 = -(_e1209);
+                                                        let _e1234 = select(_e453, _e1219, (_e1219 > _e453));
+                                                        if (_e1234 > (_e1227 + (select(_e1228, _e1211, (_e1211 > _e1228)) * 0.0000019073523f))) {
+                                                            phi_1655_ = type_21();
+                                                            phi_1656_ = true;
                                                         } else {
-                                                            let _e1239 = (_e1237 > _e1005.member_1);
-                                                            if _e1239 {
-                                                                phi_1659_ = type_21();
+                                                            let _e1236 = (_e1234 > _e1002.member_1);
+                                                            if _e1236 {
+                                                                phi_1654_ = type_21();
                                                             } else {
-                                                                let _e1243 = (_e1101[1][0] - _e1101[0][0]);
-                                                                let _e1244 = (_e1101[1][1] - _e1101[0][1]);
-                                                                let _e1245 = (_e1101[1][2] - _e1101[0][2]);
-                                                                let _e1246 = vec3<f32>(_e1243, _e1244, _e1245);
-                                                                let _e1247 = (_e1101[2][0] - _e1101[1][0]);
-                                                                let _e1248 = (_e1101[2][1] - _e1101[1][1]);
-                                                                let _e1249 = (_e1101[2][2] - _e1101[1][2]);
-                                                                let _e1250 = vec3<f32>(_e1247, _e1248, _e1249);
-                                                                let _e1251 = (_e1101[0][0] - _e1101[2][0]);
-                                                                let _e1252 = (_e1101[0][1] - _e1101[2][1]);
-                                                                let _e1253 = (_e1101[0][2] - _e1101[2][2]);
-                                                                let _e1254 = vec3<f32>(_e1251, _e1252, _e1253);
-                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
-                                                                let _e1260 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
-                                                                let _e1265 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
-                                                                let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
-                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1247) & 2147483647u));
-                                                                let _e1273 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
-                                                                let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
-                                                                let _e1278 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
-                                                                let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
-                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                let _e1286 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                let _e1288 = select(_e1286, _e1283, (_e1283 > _e1286));
-                                                                let _e1291 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
-                                                                let _e1295 = select(_e1280, _e1267, (_e1267 > _e1280));
-                                                                let _e1297 = select(_e1293, _e1295, (_e1295 > _e1293));
-                                                                if (_e1267 == _e1297) {
-                                                                    phi_1570_ = _e1250;
-                                                                    phi_1571_ = _e1254;
+                                                                let _e1240 = (_e1098[1][0] - _e1098[0][0]);
+                                                                let _e1241 = (_e1098[1][1] - _e1098[0][1]);
+                                                                let _e1242 = (_e1098[1][2] - _e1098[0][2]);
+                                                                let _e1243 = vec3<f32>(_e1240, _e1241, _e1242);
+                                                                let _e1244 = (_e1098[2][0] - _e1098[1][0]);
+                                                                let _e1245 = (_e1098[2][1] - _e1098[1][1]);
+                                                                let _e1246 = (_e1098[2][2] - _e1098[1][2]);
+                                                                let _e1247 = vec3<f32>(_e1244, _e1245, _e1246);
+                                                                let _e1248 = (_e1098[0][0] - _e1098[2][0]);
+                                                                let _e1249 = (_e1098[0][1] - _e1098[2][1]);
+                                                                let _e1250 = (_e1098[0][2] - _e1098[2][2]);
+                                                                let _e1251 = vec3<f32>(_e1248, _e1249, _e1250);
+                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1240) & 2147483647u));
+                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1241) & 2147483647u));
+                                                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                                                let _e1262 = bitcast<f32>((bitcast<u32>(_e1242) & 2147483647u));
+                                                                let _e1264 = select(_e1262, _e1259, (_e1259 > _e1262));
+                                                                let _e1267 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
+                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
+                                                                let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
+                                                                let _e1275 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
+                                                                let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
+                                                                let _e1280 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
+                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
+                                                                let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
+                                                                let _e1288 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
+                                                                let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
+                                                                let _e1292 = select(_e1277, _e1264, (_e1264 > _e1277));
+                                                                let _e1294 = select(_e1290, _e1292, (_e1292 > _e1290));
+                                                                if (_e1264 == _e1294) {
+                                                                    phi_1565_ = _e1247;
+                                                                    phi_1566_ = _e1251;
                                                                 } else {
-                                                                    let _e1300 = vec3((_e1280 == _e1297));
-                                                                    phi_1570_ = select(_e1246, _e1254, _e1300);
-                                                                    phi_1571_ = select(_e1250, _e1246, _e1300);
+                                                                    let _e1297 = vec3((_e1277 == _e1294));
+                                                                    phi_1565_ = select(_e1243, _e1251, _e1297);
+                                                                    phi_1566_ = select(_e1247, _e1243, _e1297);
                                                                 }
-                                                                let _e1304 = phi_1570_;
-                                                                let _e1306 = phi_1571_;
-                                                                let _e1313 = ((_e1304.y * _e1306.z) - (_e1306.y * _e1304.z));
-                                                                let _e1318 = ((_e1304.z * _e1306.x) - (_e1306.z * _e1304.x));
-                                                                let _e1321 = ((_e1304.x * _e1306.y) - (_e1306.x * _e1304.y));
-                                                                if (_e1163 >= _e1167) {
-                                                                    phi_1602_ = select(true, false, (_e1163 >= _e1171));
+                                                                let _e1301 = phi_1565_;
+                                                                let _e1303 = phi_1566_;
+                                                                let _e1310 = ((_e1301.y * _e1303.z) - (_e1303.y * _e1301.z));
+                                                                let _e1315 = ((_e1301.z * _e1303.x) - (_e1303.z * _e1301.x));
+                                                                let _e1318 = ((_e1301.x * _e1303.y) - (_e1303.x * _e1301.y));
+                                                                if (_e1160 >= _e1164) {
+                                                                    phi_1597_ = select(true, false, (_e1160 >= _e1168));
                                                                 } else {
-                                                                    phi_1602_ = true;
+                                                                    phi_1597_ = true;
                                                                 }
-                                                                let _e1326 = phi_1602_;
-                                                                if _e1326 {
-                                                                    phi_1611_ = select(vec3<f32>(_e1101[2][0], _e1101[2][1], _e1101[2][2]), vec3<f32>(_e1101[1][0], _e1101[1][1], _e1101[1][2]), vec3((_e1167 >= _e1171)));
+                                                                let _e1323 = phi_1597_;
+                                                                if _e1323 {
+                                                                    phi_1606_ = select(vec3<f32>(_e1098[2][0], _e1098[2][1], _e1098[2][2]), vec3<f32>(_e1098[1][0], _e1098[1][1], _e1098[1][2]), vec3((_e1164 >= _e1168)));
                                                                 } else {
-                                                                    phi_1611_ = vec3<f32>(_e1101[0][0], _e1101[0][1], _e1101[0][2]);
+                                                                    phi_1606_ = vec3<f32>(_e1098[0][0], _e1098[0][1], _e1098[0][2]);
                                                                 }
-                                                                let _e1331 = phi_1611_;
-                                                                let _e1348 = ((((_e1313 * (_e1331.x - _e302)) + (_e1318 * (_e1331.y - _e341))) + (_e1321 * (_e1331.z - _e379))) / (((_e1313 * _e327) + (_e1318 * _e365)) + (_e1321 * _e403)));
-                                                                let _e1350 = select(_e1230, _e1348, (_e1348 < _e1230));
-                                                                let _e1352 = select(_e1222, _e1350, (_e1350 > _e1222));
-                                                                if (_e1352 >= _e453) {
-                                                                    let _e1354 = (_e1352 <= _e1005.member_1);
-                                                                    if _e1354 {
-                                                                        let _e1355 = (1f / _e1173);
-                                                                        phi_1651_ = type_21(_e1352, (_e1167 * _e1355), (_e1171 * _e1355), _e1034);
+                                                                let _e1328 = phi_1606_;
+                                                                let _e1345 = ((((_e1310 * (_e1328.x - _e302)) + (_e1315 * (_e1328.y - _e341))) + (_e1318 * (_e1328.z - _e379))) / (((_e1310 * _e327) + (_e1315 * _e365)) + (_e1318 * _e403)));
+                                                                let _e1347 = select(_e1227, _e1345, (_e1345 < _e1227));
+                                                                let _e1349 = select(_e1219, _e1347, (_e1347 > _e1219));
+                                                                if (_e1349 >= _e453) {
+                                                                    let _e1351 = (_e1349 <= _e1002.member_1);
+                                                                    if _e1351 {
+                                                                        let _e1352 = (1f / _e1170);
+                                                                        phi_1646_ = type_21(_e1349, (_e1164 * _e1352), (_e1168 * _e1352), _e1031);
                                                                     } else {
-                                                                        phi_1651_ = type_21();
+                                                                        phi_1646_ = type_21();
                                                                     }
-                                                                    let _e1360 = phi_1651_;
+                                                                    let _e1357 = phi_1646_;
+                                                                    phi_1648_ = _e1357;
+                                                                    phi_1649_ = select(true, false, _e1351);
+                                                                } else {
+                                                                    phi_1648_ = type_21();
+                                                                    phi_1649_ = true;
+                                                                }
+                                                                let _e1360 = phi_1648_;
+                                                                let _e1362 = phi_1649_;
+                                                                if _e1362 {
+                                                                    phi_1653_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                } else {
                                                                     phi_1653_ = _e1360;
-                                                                    phi_1654_ = select(true, false, _e1354);
-                                                                } else {
-                                                                    phi_1653_ = type_21();
-                                                                    phi_1654_ = true;
                                                                 }
-                                                                let _e1363 = phi_1653_;
-                                                                let _e1365 = phi_1654_;
-                                                                if _e1365 {
-                                                                    phi_1658_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1658_ = _e1363;
-                                                                }
-                                                                let _e1367 = phi_1658_;
-                                                                phi_1659_ = _e1367;
+                                                                let _e1364 = phi_1653_;
+                                                                phi_1654_ = _e1364;
                                                             }
-                                                            let _e1369 = phi_1659_;
-                                                            phi_1660_ = _e1369;
-                                                            phi_1661_ = _e1239;
+                                                            let _e1366 = phi_1654_;
+                                                            phi_1655_ = _e1366;
+                                                            phi_1656_ = _e1236;
                                                         }
-                                                        let _e1371 = phi_1660_;
-                                                        let _e1373 = phi_1661_;
-                                                        phi_1665_ = _e1371;
-                                                        phi_1666_ = _e1373;
+                                                        let _e1368 = phi_1655_;
+                                                        let _e1370 = phi_1656_;
+                                                        phi_1660_ = _e1368;
+                                                        phi_1661_ = _e1370;
                                                     }
-                                                    let _e1375 = phi_1665_;
-                                                    let _e1377 = phi_1666_;
-                                                    phi_1670_ = _e1375;
-                                                    phi_1671_ = _e1377;
+                                                    let _e1372 = phi_1660_;
+                                                    let _e1374 = phi_1661_;
+                                                    phi_1665_ = _e1372;
+                                                    phi_1666_ = _e1374;
                                                 } else {
-                                                    phi_1670_ = type_21();
-                                                    phi_1671_ = true;
+                                                    phi_1665_ = type_21();
+                                                    phi_1666_ = true;
                                                 }
-                                                let _e1379 = phi_1670_;
-                                                let _e1381 = phi_1671_;
-                                                if _e1381 {
-                                                    phi_1675_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1376 = phi_1665_;
+                                                let _e1378 = phi_1666_;
+                                                if _e1378 {
+                                                    phi_1670_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1675_ = _e1379;
+                                                    phi_1670_ = _e1376;
                                                 }
-                                                let _e1383 = phi_1675_;
-                                                if (_e1383.member_3 != 4294967295u) {
-                                                    if (_e1034 != 4294967295u) {
-                                                        if (_e1383.member < _e1005.member.member) {
-                                                            phi_1701_ = true;
+                                                let _e1380 = phi_1670_;
+                                                if (_e1380.member_3 != 4294967295u) {
+                                                    if (_e1031 != 4294967295u) {
+                                                        if (_e1380.member < _e1002.member.member) {
+                                                            phi_1696_ = true;
                                                         } else {
-                                                            if (_e1383.member == _e1005.member.member) {
-                                                                phi_1700_ = (_e1383.member_3 < _e1005.member.member_3);
+                                                            if (_e1380.member == _e1002.member.member) {
+                                                                phi_1695_ = (_e1380.member_3 < _e1002.member.member_3);
                                                             } else {
-                                                                phi_1700_ = false;
+                                                                phi_1695_ = false;
                                                             }
-                                                            let _e1396 = phi_1700_;
-                                                            phi_1701_ = _e1396;
+                                                            let _e1393 = phi_1695_;
+                                                            phi_1696_ = _e1393;
                                                         }
-                                                        let _e1398 = phi_1701_;
-                                                        if _e1398 {
-                                                            phi_1707_ = type_33(_e1383, _e1383.member);
+                                                        let _e1395 = phi_1696_;
+                                                        if _e1395 {
+                                                            phi_1702_ = type_33(_e1380, _e1380.member);
                                                         } else {
-                                                            phi_1707_ = _e1005;
+                                                            phi_1702_ = _e1002;
                                                         }
-                                                        let _e1401 = phi_1707_;
-                                                        phi_1708_ = _e1401;
+                                                        let _e1398 = phi_1702_;
+                                                        phi_1703_ = _e1398;
                                                     } else {
-                                                        phi_1708_ = _e1005;
+                                                        phi_1703_ = _e1002;
                                                     }
-                                                    let _e1403 = phi_1708_;
-                                                    phi_1709_ = _e1403;
+                                                    let _e1400 = phi_1703_;
+                                                    phi_1704_ = _e1400;
                                                 } else {
-                                                    phi_1709_ = _e1005;
+                                                    phi_1704_ = _e1002;
                                                 }
-                                                let _e1405 = phi_1709_;
-                                                phi_964_ = _e1405;
+                                                let _e1402 = phi_1704_;
+                                                phi_959_ = _e1402;
                                             } else {
-                                                phi_964_ = type_33();
+                                                phi_959_ = type_33();
                                             }
-                                            let _e1407 = phi_964_;
+                                            let _e1404 = phi_959_;
                                             continue;
                                             continuing {
-                                                phi_963_ = _e1407;
-                                                phi_966_ = _e1020;
-                                                phi_3320_ = _e495;
-                                                break if !(_e1026);
+                                                phi_958_ = _e1404;
+                                                phi_961_ = _e1017;
+                                                phi_3173_ = _e495;
+                                                break if !(_e1023);
                                             }
                                         }
-                                        let _e1410 = phi_3320_;
-                                        phi_3434_ = _e1410;
-                                        if _e1410 {
+                                        let _e1407 = phi_3173_;
+                                        phi_3287_ = _e1407;
+                                        if _e1407 {
                                             break;
                                         }
-                                        phi_3438_ = _e1410;
-                                        let _e1585 = local_11;
-                                        phi_3056_ = _e1585;
-                                        phi_3057_ = _e536;
-                                        phi_3058_ = false;
-                                        phi_3059_ = _e540;
+                                        phi_3291_ = _e1407;
+                                        let _e1582 = local_11;
+                                        phi_2909_ = _e1582;
+                                        phi_2910_ = _e536;
+                                        phi_2911_ = false;
+                                        phi_2912_ = _e540;
                                     } else {
                                         if (_e536.member_1 >= _e83) {
-                                            phi_2612_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2465_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e536.member_1 < _e83) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e553 = ((1u + (_e253 * 2u)) % 7u);
+                                            let _e551 = (_e253 * 2u);
+                                            let _e553 = ((1u + _e551) % 7u);
                                             if (_e553 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
                                             let _e558 = global_5.member[_e536.member_1][_e553];
-                                            let _e561 = ((1u + (_e252 * 2u)) % 7u);
-                                            if (_e561 < 7u) {
+                                            let _e560 = ((_e551 + 2u) % 7u);
+                                            if (_e560 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_5.member[_e536.member_1][_e561];
-                                            let _e569 = ((1u + (_e254 * 2u)) % 7u);
-                                            if (_e569 < 7u) {
+                                            let _e565 = global_5.member[_e536.member_1][_e560];
+                                            let _e566 = (_e252 * 2u);
+                                            let _e568 = ((1u + _e566) % 7u);
+                                            if (_e568 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e574 = global_5.member[_e536.member_1][_e569];
-                                            let _e577 = (((_e253 + 1u) * 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e573 = global_5.member[_e536.member_1][_e568];
+                                            let _e575 = ((_e566 + 2u) % 7u);
+                                            if (_e575 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_5.member[_e536.member_1][_e577];
-                                            let _e585 = (((_e252 + 1u) * 2u) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e580 = global_5.member[_e536.member_1][_e575];
+                                            let _e581 = (_e254 * 2u);
+                                            let _e583 = ((1u + _e581) % 7u);
+                                            if (_e583 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_5.member[_e536.member_1][_e585];
-                                            let _e593 = (((_e254 + 1u) * 2u) % 7u);
-                                            if (_e593 < 7u) {
+                                            let _e588 = global_5.member[_e536.member_1][_e583];
+                                            let _e590 = ((_e581 + 2u) % 7u);
+                                            if (_e590 < 7u) {
                                             } else {
-                                                phi_3434_ = true;
+                                                phi_3287_ = true;
                                                 break;
                                             }
-                                            let _e598 = global_5.member[_e536.member_1][_e593];
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e625 = select(_e133, _e621, (_e621 > _e133));
-                                            let _e627 = select(_e133, _e622, (_e622 > _e133));
-                                            let _e629 = select(_e133, _e623, (_e623 > _e133));
-                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e625));
-                                            let _e659 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
-                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e627));
-                                            let _e668 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
-                                            let _e672 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e629));
-                                            let _e677 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e680 = bitcast<f32>((_e672 & bitcast<u32>(_e677)));
-                                            let _e684 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
-                                            let _e688 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
-                                            let _e692 = bitcast<f32>((_e672 & bitcast<u32>(~(_e677))));
-                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e625));
-                                            let _e698 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
-                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e627));
-                                            let _e707 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
-                                            let _e711 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e629));
-                                            let _e716 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e719 = bitcast<f32>((_e711 & bitcast<u32>(_e716)));
-                                            let _e723 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
-                                            let _e727 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
-                                            let _e731 = bitcast<f32>((_e711 & bitcast<u32>(~(_e716))));
-                                            let _e761 = global_5.member[_e536.member_1][0u];
-                                            let _e765 = global_5.member[_e536.member_1][2u];
-                                            let _e769 = global_5.member[_e536.member_1][4u];
-                                            let _e773 = global_5.member[_e536.member_1][6u];
-                                            let _e785 = (((_e765 >> bitcast<u32>(22i)) | ((_e769 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e773 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e786 = (_e761 & 268435455u);
-                                            let _e787 = (_e785 & 268435455u);
-                                            let _e790 = ((_e761 >> bitcast<u32>(28u)) & 7u);
-                                            let _e798 = ((_e761 >> bitcast<u32>(31i)) | (((_e785 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e799 = (_e790 != 0u);
-                                            if (_e790 == 0u) {
-                                                phi_2574_ = _e786;
+                                            let _e595 = global_5.member[_e536.member_1][_e590];
+                                            let _e618 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e622 = select(_e133, _e618, (_e618 > _e133));
+                                            let _e624 = select(_e133, _e619, (_e619 > _e133));
+                                            let _e626 = select(_e133, _e620, (_e620 > _e133));
+                                            let _e651 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e622));
+                                            let _e656 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e659 = bitcast<f32>((_e651 & bitcast<u32>(_e656)));
+                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e624));
+                                            let _e665 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
+                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e626));
+                                            let _e674 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
+                                            let _e681 = bitcast<f32>((_e651 & bitcast<u32>(~(_e656))));
+                                            let _e685 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
+                                            let _e689 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
+                                            let _e690 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e622));
+                                            let _e695 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e698 = bitcast<f32>((_e690 & bitcast<u32>(_e695)));
+                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e624));
+                                            let _e704 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
+                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e626));
+                                            let _e713 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
+                                            let _e720 = bitcast<f32>((_e690 & bitcast<u32>(~(_e695))));
+                                            let _e724 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
+                                            let _e728 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
+                                            let _e758 = global_5.member[_e536.member_1][0u];
+                                            let _e762 = global_5.member[_e536.member_1][2u];
+                                            let _e766 = global_5.member[_e536.member_1][4u];
+                                            let _e770 = global_5.member[_e536.member_1][6u];
+                                            let _e782 = (((_e762 >> bitcast<u32>(22i)) | ((_e766 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e783 = (_e758 & 268435455u);
+                                            let _e784 = (_e782 & 268435455u);
+                                            let _e787 = ((_e758 >> bitcast<u32>(28u)) & 7u);
+                                            let _e795 = ((_e758 >> bitcast<u32>(31i)) | (((_e782 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e796 = (_e787 != 0u);
+                                            if (_e787 == 0u) {
+                                                phi_2427_ = _e783;
                                             } else {
-                                                if (_e790 == 7u) {
-                                                    phi_2573_ = 2147483648u;
+                                                if (_e787 == 7u) {
+                                                    phi_2426_ = 2147483648u;
                                                 } else {
-                                                    phi_2573_ = ((2147483648u | (_e790 << bitcast<u32>(28u))) | (_e787 & 268435455u));
+                                                    phi_2426_ = ((2147483648u | (_e787 << bitcast<u32>(28u))) | (_e784 & 268435455u));
                                                 }
-                                                let _e808 = phi_2573_;
-                                                phi_2574_ = _e808;
+                                                let _e805 = phi_2426_;
+                                                phi_2427_ = _e805;
                                             }
-                                            let _e810 = phi_2574_;
-                                            if _e799 {
-                                                let _e811 = (_e790 != 7u);
-                                                if _e811 {
-                                                    phi_2584_ = (_e787 + _e790);
+                                            let _e807 = phi_2427_;
+                                            if _e796 {
+                                                let _e808 = (_e787 != 7u);
+                                                if _e808 {
+                                                    phi_2437_ = (_e784 + _e787);
                                                 } else {
-                                                    phi_2584_ = u32();
+                                                    phi_2437_ = u32();
                                                 }
-                                                let _e814 = phi_2584_;
-                                                phi_2586_ = _e814;
-                                                phi_2587_ = select(true, false, _e811);
+                                                let _e811 = phi_2437_;
+                                                phi_2439_ = _e811;
+                                                phi_2440_ = select(true, false, _e808);
                                             } else {
-                                                phi_2586_ = u32();
-                                                phi_2587_ = true;
+                                                phi_2439_ = u32();
+                                                phi_2440_ = true;
                                             }
-                                            let _e817 = phi_2586_;
-                                            let _e819 = phi_2587_;
-                                            if (_e798 == 0u) {
-                                                phi_2608_ = (_e786 + select(0u, 1u, !(_e799)));
+                                            let _e814 = phi_2439_;
+                                            let _e816 = phi_2440_;
+                                            if (_e795 == 0u) {
+                                                phi_2461_ = (_e783 + select(0u, 1u, !(_e796)));
                                             } else {
-                                                if (_e798 == 7u) {
-                                                    phi_2607_ = 2147483648u;
+                                                if (_e795 == 7u) {
+                                                    phi_2460_ = 2147483648u;
                                                 } else {
-                                                    phi_2607_ = ((2147483648u | (_e798 << bitcast<u32>(28u))) | (select(_e817, _e787, _e819) & 268435455u));
+                                                    phi_2460_ = ((2147483648u | (_e795 << bitcast<u32>(28u))) | (select(_e814, _e784, _e816) & 268435455u));
                                                 }
-                                                let _e832 = phi_2607_;
-                                                phi_2608_ = _e832;
+                                                let _e829 = phi_2460_;
+                                                phi_2461_ = _e829;
                                             }
-                                            let _e834 = phi_2608_;
-                                            phi_2612_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e662), (_e536.member.member.x + _e684), (_e536.member.member_1.x - _e701), (_e536.member.member_1.x - _e723)), vec4<f32>((_e536.member.member.y + _e671), (_e536.member.member.y + _e688), (_e536.member.member_1.y - _e710), (_e536.member.member_1.y - _e727)), vec4<f32>((_e536.member.member.z + _e680), (_e536.member.member.z + _e692), (_e536.member.member_1.z - _e719), (_e536.member.member_1.z - _e731))), type_50(type_29((_e536.member.member + vec4<f32>(_e662, _e671, _e680, 0f)), (_e536.member.member_1 - vec4<f32>(_e701, _e710, _e719, 0f))), _e810), type_50(type_29((_e536.member.member + vec4<f32>(_e684, _e688, _e692, 0f)), (_e536.member.member_1 - vec4<f32>(_e723, _e727, _e731, 0f))), _e834));
+                                            let _e831 = phi_2461_;
+                                            phi_2465_ = type_51(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e659), (_e536.member.member.x + _e681), (_e536.member.member_1.x - _e698), (_e536.member.member_1.x - _e720)), vec4<f32>((_e536.member.member.y + _e668), (_e536.member.member.y + _e685), (_e536.member.member_1.y - _e707), (_e536.member.member_1.y - _e724)), vec4<f32>((_e536.member.member.z + _e677), (_e536.member.member.z + _e689), (_e536.member.member_1.z - _e716), (_e536.member.member_1.z - _e728))), type_50(type_29((_e536.member.member + vec4<f32>(_e659, _e668, _e677, 0f)), (_e536.member.member_1 - vec4<f32>(_e698, _e707, _e716, 0f))), _e807), type_50(type_29((_e536.member.member + vec4<f32>(_e681, _e685, _e689, 0f)), (_e536.member.member_1 - vec4<f32>(_e720, _e724, _e728, 0f))), _e831));
                                         }
-                                        let _e839 = phi_2612_;
-                                        let _e851 = ((_e839.member[0].x - _e325) * _e330);
-                                        let _e852 = ((_e839.member[0].y - _e325) * _e330);
-                                        let _e853 = ((_e839.member[0].z - _e326) * _e330);
-                                        let _e854 = ((_e839.member[0].w - _e326) * _e330);
-                                        let _e864 = ((_e839.member[1].x - _e363) * _e368);
-                                        let _e865 = ((_e839.member[1].y - _e363) * _e368);
-                                        let _e866 = ((_e839.member[1].z - _e364) * _e368);
-                                        let _e867 = ((_e839.member[1].w - _e364) * _e368);
-                                        let _e877 = ((_e839.member[2].x - _e401) * _e406);
-                                        let _e878 = ((_e839.member[2].y - _e401) * _e406);
-                                        let _e879 = ((_e839.member[2].z - _e402) * _e406);
-                                        let _e880 = ((_e839.member[2].w - _e402) * _e406);
-                                        let _e882 = select(_e879, _e877, (_e877 < _e879));
-                                        let _e884 = select(_e880, _e878, (_e878 < _e880));
-                                        let _e886 = select(_e879, _e877, (_e877 > _e879));
-                                        let _e888 = select(_e880, _e878, (_e878 > _e880));
-                                        let _e890 = select(_e853, _e851, (_e851 < _e853));
-                                        let _e892 = select(_e854, _e852, (_e852 < _e854));
-                                        let _e894 = select(_e866, _e864, (_e864 < _e866));
-                                        let _e896 = select(_e867, _e865, (_e865 < _e867));
-                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                        let _e900 = select(_e896, _e892, (_e892 > _e896));
-                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                        let _e904 = select(_e884, _e900, (_e900 > _e884));
-                                        let _e906 = select(_e853, _e851, (_e851 > _e853));
-                                        let _e908 = select(_e854, _e852, (_e852 > _e854));
-                                        let _e910 = select(_e866, _e864, (_e864 > _e866));
-                                        let _e912 = select(_e867, _e865, (_e865 > _e867));
-                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                        let _e916 = select(_e912, _e908, (_e908 < _e912));
-                                        let _e921 = -(_e882);
-                                        let _e922 = -(_e884);
-                                        let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
-                                        let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
-                                        let _e932 = select(_e453, _e902, (_e902 > _e453));
-                                        let _e934 = select(_e453, _e904, (_e904 > _e453));
-                                        let _e939 = (_e932 <= select(_e497.member_1, _e929, (_e929 < _e497.member_1)));
-                                        let _e940 = (_e934 <= select(_e497.member_1, _e930, (_e930 < _e497.member_1)));
-                                        let _e941 = (_e932 <= _e934);
-                                        if _e939 {
-                                            if _e940 {
-                                                if _e941 {
-                                                    phi_2956_ = _e839.member_2;
+                                        let _e836 = phi_2465_;
+                                        let _e848 = ((_e836.member[0].x - _e325) * _e330);
+                                        let _e849 = ((_e836.member[0].y - _e325) * _e330);
+                                        let _e850 = ((_e836.member[0].z - _e326) * _e330);
+                                        let _e851 = ((_e836.member[0].w - _e326) * _e330);
+                                        let _e861 = ((_e836.member[1].x - _e363) * _e368);
+                                        let _e862 = ((_e836.member[1].y - _e363) * _e368);
+                                        let _e863 = ((_e836.member[1].z - _e364) * _e368);
+                                        let _e864 = ((_e836.member[1].w - _e364) * _e368);
+                                        let _e874 = ((_e836.member[2].x - _e401) * _e406);
+                                        let _e875 = ((_e836.member[2].y - _e401) * _e406);
+                                        let _e876 = ((_e836.member[2].z - _e402) * _e406);
+                                        let _e877 = ((_e836.member[2].w - _e402) * _e406);
+                                        let _e879 = select(_e876, _e874, (_e874 < _e876));
+                                        let _e881 = select(_e877, _e875, (_e875 < _e877));
+                                        let _e883 = select(_e876, _e874, (_e874 > _e876));
+                                        let _e885 = select(_e877, _e875, (_e875 > _e877));
+                                        let _e887 = select(_e850, _e848, (_e848 < _e850));
+                                        let _e889 = select(_e851, _e849, (_e849 < _e851));
+                                        let _e891 = select(_e863, _e861, (_e861 < _e863));
+                                        let _e893 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e895 = select(_e891, _e887, (_e887 > _e891));
+                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
+                                        let _e899 = select(_e879, _e895, (_e895 > _e879));
+                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
+                                        let _e903 = select(_e850, _e848, (_e848 > _e850));
+                                        let _e905 = select(_e851, _e849, (_e849 > _e851));
+                                        let _e907 = select(_e863, _e861, (_e861 > _e863));
+                                        let _e909 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e911 = select(_e907, _e903, (_e903 < _e907));
+                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
+                                        let _e918 = -(_e879);
+                                        let _e919 = -(_e881);
+                                        let _e926 = (select(_e883, _e911, (_e911 < _e883)) + (select(_e918, _e883, (_e883 > _e918)) * 0.0000019073523f));
+                                        let _e927 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e919, _e885, (_e885 > _e919)) * 0.0000019073523f));
+                                        let _e929 = select(_e453, _e899, (_e899 > _e453));
+                                        let _e931 = select(_e453, _e901, (_e901 > _e453));
+                                        let _e936 = (_e929 <= select(_e497.member_1, _e926, (_e926 < _e497.member_1)));
+                                        let _e937 = (_e931 <= select(_e497.member_1, _e927, (_e927 < _e497.member_1)));
+                                        let _e938 = (_e929 <= _e931);
+                                        if _e936 {
+                                            if _e937 {
+                                                if _e938 {
+                                                    phi_2809_ = _e836.member_2;
                                                 } else {
-                                                    phi_2956_ = _e839.member_1;
+                                                    phi_2809_ = _e836.member_1;
                                                 }
-                                                let _e945 = phi_2956_;
-                                                let _e967 = (_e540 % 128u);
-                                                let _e968 = (_e967 < 128u);
-                                                if _e968 {
+                                                let _e942 = phi_2809_;
+                                                let _e964 = (_e540 % 128u);
+                                                let _e965 = (_e964 < 128u);
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_8[_e967] = _e945.member_1;
-                                                if _e968 {
+                                                local_8[_e964] = _e942.member_1;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_7[_e967] = _e945.member.member.x;
-                                                if _e968 {
+                                                local_7[_e964] = _e942.member.member.x;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_6[_e967] = _e945.member.member.y;
-                                                if _e968 {
+                                                local_6[_e964] = _e942.member.member.y;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_5[_e967] = _e945.member.member.z;
-                                                if _e968 {
+                                                local_5[_e964] = _e942.member.member.z;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_4[_e967] = _e945.member.member_1.x;
-                                                if _e968 {
+                                                local_4[_e964] = _e942.member.member_1.x;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_3[_e967] = _e945.member.member_1.y;
-                                                if _e968 {
+                                                local_3[_e964] = _e942.member.member_1.y;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_2[_e967] = _e945.member.member_1.z;
-                                                if _e968 {
+                                                local_2[_e964] = _e942.member.member_1.z;
+                                                if _e965 {
                                                 } else {
-                                                    phi_3434_ = true;
+                                                    phi_3287_ = true;
                                                     break;
                                                 }
-                                                local_9[_e967] = select(_e934, _e932, (_e932 > _e934));
-                                                if _e941 {
-                                                    phi_3033_ = _e839.member_1;
+                                                local_9[_e964] = select(_e931, _e929, (_e929 > _e931));
+                                                if _e938 {
+                                                    phi_2886_ = _e836.member_1;
                                                 } else {
-                                                    phi_3033_ = _e839.member_2;
+                                                    phi_2886_ = _e836.member_2;
                                                 }
-                                                let _e981 = phi_3033_;
-                                                phi_3034_ = _e981;
-                                                phi_3035_ = (_e540 + 1u);
+                                                let _e978 = phi_2886_;
+                                                phi_2887_ = _e978;
+                                                phi_2888_ = (_e540 + 1u);
                                             } else {
-                                                phi_3034_ = type_50();
-                                                phi_3035_ = u32();
+                                                phi_2887_ = type_50();
+                                                phi_2888_ = u32();
                                             }
-                                            let _e983 = phi_3034_;
-                                            let _e985 = phi_3035_;
-                                            phi_3037_ = _e983;
-                                            phi_3038_ = _e985;
-                                            phi_3039_ = select(true, false, _e940);
+                                            let _e980 = phi_2887_;
+                                            let _e982 = phi_2888_;
+                                            phi_2890_ = _e980;
+                                            phi_2891_ = _e982;
+                                            phi_2892_ = select(true, false, _e937);
                                         } else {
-                                            phi_3037_ = type_50();
-                                            phi_3038_ = u32();
-                                            phi_3039_ = true;
+                                            phi_2890_ = type_50();
+                                            phi_2891_ = u32();
+                                            phi_2892_ = true;
                                         }
-                                        let _e988 = phi_3037_;
-                                        let _e990 = phi_3038_;
-                                        let _e992 = phi_3039_;
-                                        if _e992 {
-                                            if _e939 {
-                                                phi_3048_ = _e839.member_1;
+                                        let _e985 = phi_2890_;
+                                        let _e987 = phi_2891_;
+                                        let _e989 = phi_2892_;
+                                        if _e989 {
+                                            if _e936 {
+                                                phi_2901_ = _e836.member_1;
                                             } else {
-                                                phi_3048_ = _e839.member_2;
+                                                phi_2901_ = _e836.member_2;
                                             }
-                                            let _e996 = phi_3048_;
-                                            phi_3053_ = _e996;
-                                            phi_3054_ = select(_e940, true, _e939);
+                                            let _e993 = phi_2901_;
+                                            phi_2906_ = _e993;
+                                            phi_2907_ = select(_e937, true, _e936);
                                         } else {
-                                            phi_3053_ = _e988;
-                                            phi_3054_ = _e538;
+                                            phi_2906_ = _e985;
+                                            phi_2907_ = _e538;
                                         }
-                                        let _e999 = phi_3053_;
-                                        let _e1001 = phi_3054_;
-                                        phi_3438_ = _e495;
-                                        phi_3056_ = _e497;
-                                        phi_3057_ = _e999;
-                                        phi_3058_ = _e1001;
-                                        phi_3059_ = select(_e990, _e540, _e992);
+                                        let _e996 = phi_2906_;
+                                        let _e998 = phi_2907_;
+                                        phi_3291_ = _e495;
+                                        phi_2909_ = _e497;
+                                        phi_2910_ = _e996;
+                                        phi_2911_ = _e998;
+                                        phi_2912_ = select(_e987, _e540, _e989);
                                     }
-                                    let _e1412 = phi_3438_;
-                                    let _e1414 = phi_3056_;
-                                    let _e1416 = phi_3057_;
-                                    let _e1418 = phi_3058_;
-                                    let _e1420 = phi_3059_;
-                                    phi_3437_ = _e1412;
-                                    phi_3060_ = _e1414;
-                                    phi_3061_ = _e1416;
-                                    phi_3062_ = (_e501 - 1u);
-                                    phi_3063_ = _e1418;
-                                    phi_3064_ = _e1420;
+                                    let _e1409 = phi_3291_;
+                                    let _e1411 = phi_2909_;
+                                    let _e1413 = phi_2910_;
+                                    let _e1415 = phi_2911_;
+                                    let _e1417 = phi_2912_;
+                                    phi_3290_ = _e1409;
+                                    phi_2913_ = _e1411;
+                                    phi_2914_ = _e1413;
+                                    phi_2915_ = (_e501 - 1u);
+                                    phi_2916_ = _e1415;
+                                    phi_2917_ = _e1417;
                                 } else {
-                                    phi_3437_ = _e495;
-                                    phi_3060_ = _e497;
-                                    phi_3061_ = _e536;
-                                    phi_3062_ = _e501;
-                                    phi_3063_ = _e538;
-                                    phi_3064_ = _e540;
+                                    phi_3290_ = _e495;
+                                    phi_2913_ = _e497;
+                                    phi_2914_ = _e536;
+                                    phi_2915_ = _e501;
+                                    phi_2916_ = _e538;
+                                    phi_2917_ = _e540;
                                 }
-                                let _e1422 = phi_3437_;
-                                let _e1424 = phi_3060_;
-                                let _e1426 = phi_3061_;
-                                let _e1428 = phi_3062_;
-                                let _e1430 = phi_3063_;
-                                let _e1432 = phi_3064_;
-                                phi_3436_ = _e1422;
-                                phi_3065_ = _e1424;
-                                phi_3066_ = _e1426;
-                                phi_3067_ = _e1428;
-                                phi_3068_ = _e1430;
-                                phi_3069_ = _e1432;
+                                let _e1419 = phi_3290_;
+                                let _e1421 = phi_2913_;
+                                let _e1423 = phi_2914_;
+                                let _e1425 = phi_2915_;
+                                let _e1427 = phi_2916_;
+                                let _e1429 = phi_2917_;
+                                phi_3289_ = _e1419;
+                                phi_2918_ = _e1421;
+                                phi_2919_ = _e1423;
+                                phi_2920_ = _e1425;
+                                phi_2921_ = _e1427;
+                                phi_2922_ = _e1429;
                             } else {
-                                phi_3436_ = _e495;
-                                phi_3065_ = type_33();
-                                phi_3066_ = type_50();
-                                phi_3067_ = u32();
-                                phi_3068_ = bool();
-                                phi_3069_ = u32();
+                                phi_3289_ = _e495;
+                                phi_2918_ = type_33();
+                                phi_2919_ = type_50();
+                                phi_2920_ = u32();
+                                phi_2921_ = bool();
+                                phi_2922_ = u32();
                             }
-                            let _e1434 = phi_3436_;
-                            let _e1436 = phi_3065_;
-                            let _e1438 = phi_3066_;
-                            let _e1440 = phi_3067_;
-                            let _e1442 = phi_3068_;
-                            let _e1444 = phi_3069_;
-                            phi_3435_ = _e1434;
-                            phi_838_ = _e1436;
-                            phi_841_ = _e1438;
-                            phi_843_ = _e1440;
-                            phi_845_ = _e1442;
-                            phi_847_ = _e1444;
-                            phi_3070_ = _e509;
+                            let _e1431 = phi_3289_;
+                            let _e1433 = phi_2918_;
+                            let _e1435 = phi_2919_;
+                            let _e1437 = phi_2920_;
+                            let _e1439 = phi_2921_;
+                            let _e1441 = phi_2922_;
+                            phi_3288_ = _e1431;
+                            phi_833_ = _e1433;
+                            phi_836_ = _e1435;
+                            phi_838_ = _e1437;
+                            phi_840_ = _e1439;
+                            phi_842_ = _e1441;
+                            phi_2923_ = _e509;
                         } else {
-                            phi_3435_ = _e495;
-                            phi_838_ = type_33();
-                            phi_841_ = type_50();
-                            phi_843_ = u32();
-                            phi_845_ = bool();
-                            phi_847_ = u32();
-                            phi_3070_ = false;
+                            phi_3288_ = _e495;
+                            phi_833_ = type_33();
+                            phi_836_ = type_50();
+                            phi_838_ = u32();
+                            phi_840_ = bool();
+                            phi_842_ = u32();
+                            phi_2923_ = false;
                         }
-                        let _e1446 = phi_3435_;
-                        let _e1448 = phi_838_;
-                        let _e1450 = phi_841_;
-                        let _e1452 = phi_843_;
-                        let _e1454 = phi_845_;
-                        let _e1456 = phi_847_;
-                        let _e1458 = phi_3070_;
+                        let _e1443 = phi_3288_;
+                        let _e1445 = phi_833_;
+                        let _e1447 = phi_836_;
+                        let _e1449 = phi_838_;
+                        let _e1451 = phi_840_;
+                        let _e1453 = phi_842_;
+                        let _e1455 = phi_2923_;
                         continue;
                         continuing {
-                            phi_3326_ = _e1446;
-                            phi_837_ = _e1448;
-                            phi_840_ = _e1450;
-                            phi_842_ = _e1452;
-                            phi_844_ = _e1454;
-                            phi_846_ = _e1456;
-                            phi_3434_ = _e1446;
-                            break if !(_e1458);
+                            phi_3179_ = _e1443;
+                            phi_832_ = _e1445;
+                            phi_835_ = _e1447;
+                            phi_837_ = _e1449;
+                            phi_839_ = _e1451;
+                            phi_841_ = _e1453;
+                            phi_3287_ = _e1443;
+                            break if !(_e1455);
                         }
                     }
-                    let _e1461 = phi_3434_;
-                    if _e1461 {
+                    let _e1458 = phi_3287_;
+                    if _e1458 {
                         break;
                     }
-                    let _e1463 = local_10;
-                    if (_e1463.member.member_3 != 4294967295u) {
-                        let _e1468 = -(_e420);
-                        let _e1469 = (_e1468 / 3i);
-                        let _e1476 = bitcast<f32>((bitcast<u32>((_e1469 + 127i)) << bitcast<u32>(23i)));
-                        let _e1484 = (((_e1463.member.member * _e1476) * _e1476) * bitcast<f32>((bitcast<u32>(((_e1468 - (2i * _e1469)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1486 = select(340282350000000000000000000000000000000f, _e1484, (_e1484 < 340282350000000000000000000000000000000f));
-                        phi_3122_ = type_21(select(-340282350000000000000000000000000000000f, _e1486, (_e1486 > -340282350000000000000000000000000000000f)), _e1463.member.member_1, _e1463.member.member_2, _e1463.member.member_3);
+                    let _e1460 = local_10;
+                    if (_e1460.member.member_3 != 4294967295u) {
+                        let _e1465 = -(_e420);
+                        let _e1466 = (_e1465 / 3i);
+                        let _e1473 = bitcast<f32>((bitcast<u32>((_e1466 + 127i)) << bitcast<u32>(23i)));
+                        let _e1481 = (((_e1460.member.member * _e1473) * _e1473) * bitcast<f32>((bitcast<u32>(((_e1465 - (2i * _e1466)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1483 = select(340282350000000000000000000000000000000f, _e1481, (_e1481 < 340282350000000000000000000000000000000f));
+                        phi_2975_ = type_21(select(-340282350000000000000000000000000000000f, _e1483, (_e1483 > -340282350000000000000000000000000000000f)), _e1460.member.member_1, _e1460.member.member_2, _e1460.member.member_3);
                     } else {
-                        phi_3122_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2975_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1493 = phi_3122_;
+                    let _e1490 = phi_2975_;
                     if _e141 {
                     } else {
                         break;
                     }
-                    global_6.member[_e139] = _e1493;
+                    global_6.member[_e139] = _e1490;
                 }
             }
             break;

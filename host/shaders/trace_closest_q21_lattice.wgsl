@@ -47,7 +47,7 @@ struct type_40 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_47 {
+struct type_44 {
     member: array<array<u32, 7>>,
 }
 
@@ -70,7 +70,7 @@ var<uniform> global_2: type_40;
 @group(0) @binding(4) 
 var<storage> global_3: type_37;
 @group(0) @binding(2) 
-var<storage> global_4: type_47;
+var<storage> global_4: type_44;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -90,144 +90,144 @@ fn function_() {
     var local_10: array<u32, 3>;
     var local_11: array<array<f32, 3>, 3>;
     var local_12: array<f32, 4>;
+    var phi_401_: i32;
     var phi_402_: i32;
-    var phi_403_: i32;
-    var phi_413_: bool;
+    var phi_412_: bool;
+    var phi_422_: u32;
     var phi_423_: u32;
-    var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_444_: i32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
+    var phi_425_: bool;
+    var phi_430_: u32;
+    var phi_443_: i32;
+    var phi_463_: i32;
+    var phi_481_: f32;
+    var phi_487_: f32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
+    var phi_547_: f32;
+    var phi_553_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
+    var phi_613_: f32;
+    var phi_619_: f32;
+    var phi_630_: f32;
+    var phi_636_: f32;
+    var phi_659_: f32;
+    var phi_670_: f32;
+    var phi_770_: f32;
     var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_3629_: bool;
+    var phi_3486_: bool;
+    var phi_860_: type_33;
+    var phi_863_: type_53;
+    var phi_865_: u32;
+    var phi_867_: bool;
+    var phi_869_: u32;
+    var phi_880_: bool;
+    var phi_966_: type_53;
+    var phi_967_: bool;
+    var phi_968_: u32;
+    var phi_2450_: u32;
+    var phi_2456_: u32;
+    var phi_2710_: u32;
+    var phi_2711_: u32;
+    var phi_2721_: u32;
+    var phi_2723_: u32;
+    var phi_2724_: bool;
+    var phi_2744_: u32;
+    var phi_2745_: u32;
+    var phi_2749_: type_54;
+    var phi_3093_: type_53;
+    var phi_3170_: type_53;
+    var phi_3171_: type_53;
+    var phi_3172_: u32;
+    var phi_3174_: type_53;
+    var phi_3175_: u32;
+    var phi_3176_: bool;
+    var phi_3185_: type_53;
+    var phi_3190_: type_53;
+    var phi_3191_: bool;
+    var phi_3483_: bool;
+    var phi_987_: type_33;
+    var phi_990_: type_8;
+    var phi_991_: type_8;
+    var phi_1013_: type_8;
+    var phi_1054_: u32;
+    var phi_1060_: u32;
+    var phi_1070_: u32;
+    var phi_1086_: u32;
+    var phi_1123_: u32;
+    var phi_1129_: u32;
+    var phi_1139_: u32;
+    var phi_3468_: bool;
+    var phi_1155_: type_8;
+    var phi_1156_: type_8;
+    var phi_1179_: type_8;
+    var phi_1202_: u32;
+    var phi_1217_: u32;
+    var phi_1220_: type_8;
+    var phi_1221_: type_8;
+    var phi_1244_: type_8;
+    var phi_1310_: u32;
+    var phi_1290_: u32;
+    var phi_1291_: u32;
+    var phi_1314_: f32;
+    var phi_3461_: bool;
+    var phi_3540_: bool;
+    var phi_3539_: bool;
+    var phi_1814_: vec3<f32>;
+    var phi_1815_: vec3<f32>;
+    var phi_1846_: bool;
+    var phi_1855_: vec3<f32>;
+    var phi_1895_: type_20;
+    var phi_1897_: type_20;
+    var phi_1898_: bool;
+    var phi_1902_: type_20;
+    var phi_1903_: type_20;
+    var phi_1904_: type_20;
+    var phi_1905_: bool;
+    var phi_1909_: type_20;
+    var phi_1910_: bool;
+    var phi_1914_: type_20;
+    var phi_1915_: bool;
+    var phi_1919_: type_20;
+    var phi_1944_: bool;
+    var phi_1945_: bool;
+    var phi_1951_: type_33;
+    var phi_1952_: type_33;
+    var phi_1953_: type_33;
+    var phi_3542_: bool;
+    var phi_988_: type_33;
+    var phi_3541_: bool;
+    var phi_3604_: bool;
+    var phi_3193_: type_33;
+    var phi_3194_: type_53;
+    var phi_3195_: bool;
+    var phi_3196_: u32;
+    var phi_3603_: bool;
+    var phi_3197_: type_33;
+    var phi_3198_: type_53;
+    var phi_3199_: u32;
+    var phi_3200_: bool;
+    var phi_3201_: u32;
+    var phi_3602_: bool;
+    var phi_3202_: type_33;
+    var phi_3203_: type_53;
+    var phi_3204_: u32;
+    var phi_3205_: bool;
+    var phi_3206_: u32;
+    var phi_3601_: bool;
     var phi_861_: type_33;
     var phi_864_: type_53;
     var phi_866_: u32;
     var phi_868_: bool;
     var phi_870_: u32;
-    var phi_881_: bool;
-    var phi_967_: type_53;
-    var phi_968_: bool;
-    var phi_969_: u32;
-    var phi_2593_: u32;
-    var phi_2599_: u32;
-    var phi_2853_: u32;
-    var phi_2854_: u32;
-    var phi_2864_: u32;
-    var phi_2866_: u32;
-    var phi_2867_: bool;
-    var phi_2887_: u32;
-    var phi_2888_: u32;
-    var phi_2892_: type_54;
-    var phi_3236_: type_53;
-    var phi_3313_: type_53;
-    var phi_3314_: type_53;
-    var phi_3315_: u32;
-    var phi_3317_: type_53;
-    var phi_3318_: u32;
-    var phi_3319_: bool;
-    var phi_3328_: type_53;
-    var phi_3333_: type_53;
-    var phi_3334_: bool;
-    var phi_3626_: bool;
-    var phi_988_: type_33;
-    var phi_991_: type_8;
-    var phi_992_: type_8;
-    var phi_1014_: type_8;
-    var phi_1055_: u32;
-    var phi_1061_: u32;
-    var phi_1071_: u32;
-    var phi_1087_: u32;
-    var phi_1124_: u32;
-    var phi_1130_: u32;
-    var phi_1140_: u32;
-    var phi_3611_: bool;
-    var phi_1156_: type_8;
-    var phi_1157_: type_8;
-    var phi_1180_: type_8;
-    var phi_1203_: u32;
-    var phi_1218_: u32;
-    var phi_1221_: type_8;
-    var phi_1222_: type_8;
-    var phi_1245_: type_8;
-    var phi_1311_: u32;
-    var phi_1291_: u32;
-    var phi_1292_: u32;
-    var phi_1315_: f32;
-    var phi_3604_: bool;
-    var phi_3683_: bool;
-    var phi_3682_: bool;
-    var phi_1815_: vec3<f32>;
-    var phi_1816_: vec3<f32>;
-    var phi_1847_: bool;
-    var phi_1856_: vec3<f32>;
-    var phi_1896_: type_20;
-    var phi_1898_: type_20;
-    var phi_1899_: bool;
-    var phi_1903_: type_20;
-    var phi_1904_: type_20;
-    var phi_1905_: type_20;
-    var phi_1906_: bool;
-    var phi_1910_: type_20;
-    var phi_1911_: bool;
-    var phi_1915_: type_20;
-    var phi_1916_: bool;
-    var phi_1920_: type_20;
-    var phi_1945_: bool;
-    var phi_1946_: bool;
-    var phi_1952_: type_33;
-    var phi_1953_: type_33;
-    var phi_1954_: type_33;
-    var phi_3685_: bool;
-    var phi_989_: type_33;
-    var phi_3684_: bool;
-    var phi_3747_: bool;
-    var phi_3336_: type_33;
-    var phi_3337_: type_53;
-    var phi_3338_: bool;
-    var phi_3339_: u32;
-    var phi_3746_: bool;
-    var phi_3340_: type_33;
-    var phi_3341_: type_53;
-    var phi_3342_: u32;
-    var phi_3343_: bool;
-    var phi_3344_: u32;
-    var phi_3745_: bool;
-    var phi_3345_: type_33;
-    var phi_3346_: type_53;
-    var phi_3347_: u32;
-    var phi_3348_: bool;
-    var phi_3349_: u32;
-    var phi_3744_: bool;
-    var phi_862_: type_33;
-    var phi_865_: type_53;
-    var phi_867_: u32;
-    var phi_869_: bool;
-    var phi_871_: u32;
-    var phi_3350_: bool;
-    var phi_3743_: bool;
+    var phi_3207_: bool;
+    var phi_3600_: bool;
     var local_13: type_33;
-    var phi_3402_: type_20;
+    var phi_3259_: type_20;
     var local_14: type_33;
 
     switch bitcast<i32>(0u) {
@@ -280,199 +280,199 @@ fn function_() {
                     if _e225 {
                         let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
                         if (_e228 >= 8388608u) {
-                            phi_402_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                            phi_401_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_401_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
                         }
-                        let _e242 = phi_402_;
-                        phi_403_ = _e242;
+                        let _e242 = phi_401_;
+                        phi_402_ = _e242;
                     } else {
-                        phi_403_ = 0i;
+                        phi_402_ = 0i;
                     }
-                    let _e244 = phi_403_;
+                    let _e244 = phi_402_;
                     let _e245 = (_e161 == _e200);
                     if _e245 {
-                        phi_413_ = true;
+                        phi_412_ = true;
                     } else {
-                        phi_413_ = (_e168 == _e200);
+                        phi_412_ = (_e168 == _e200);
                     }
-                    let _e248 = phi_413_;
+                    let _e248 = phi_412_;
                     let _e249 = select(1u, 0u, _e245);
                     if _e248 {
                         let _e250 = (_e249 + 1u);
+                        phi_422_ = _e250;
                         phi_423_ = _e250;
-                        phi_424_ = _e250;
-                        phi_426_ = select(true, false, (_e250 == 2u));
+                        phi_425_ = select(true, false, (_e250 == 2u));
                     } else {
-                        phi_423_ = u32();
-                        phi_424_ = 0u;
-                        phi_426_ = true;
+                        phi_422_ = u32();
+                        phi_423_ = 0u;
+                        phi_425_ = true;
                     }
-                    let _e254 = phi_423_;
-                    let _e256 = phi_424_;
-                    let _e258 = phi_426_;
+                    let _e254 = phi_422_;
+                    let _e256 = phi_423_;
+                    let _e258 = phi_425_;
                     if _e258 {
-                        phi_431_ = (_e256 + 1u);
+                        phi_430_ = (_e256 + 1u);
                     } else {
-                        phi_431_ = 0u;
+                        phi_430_ = 0u;
                     }
-                    let _e262 = phi_431_;
+                    let _e262 = phi_430_;
                     let _e263 = select(_e254, _e256, _e258);
                     let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
                     if (_e131 < -126i) {
-                        phi_444_ = -126i;
+                        phi_443_ = -126i;
                     } else {
-                        phi_444_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_443_ = select(_e131, 127i, (_e131 > 127i));
                     }
-                    let _e269 = phi_444_;
+                    let _e269 = phi_443_;
                     let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
                     let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
                     let _e281 = -(_e244);
                     if (_e281 < -126i) {
-                        phi_464_ = -126i;
+                        phi_463_ = -126i;
                     } else {
-                        phi_464_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_463_ = select(_e281, 127i, (_e281 > 127i));
                     }
-                    let _e286 = phi_464_;
+                    let _e286 = phi_463_;
                     let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
                     let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
                     let _e301 = global_3.member[_e149].member;
                     let _e302 = (_e263 == 0u);
                     if _e302 {
-                        phi_482_ = _e301[0];
+                        phi_481_ = _e301[0];
                     } else {
-                        phi_482_ = _e301[1];
+                        phi_481_ = _e301[1];
                     }
-                    let _e306 = phi_482_;
+                    let _e306 = phi_481_;
                     let _e307 = (_e263 == 2u);
                     if _e307 {
-                        phi_488_ = _e301[2];
+                        phi_487_ = _e301[2];
                     } else {
-                        phi_488_ = _e306;
+                        phi_487_ = _e306;
                     }
-                    let _e310 = phi_488_;
+                    let _e310 = phi_487_;
                     let _e312 = ((_e310 * _e274) * _e280);
                     let _e313 = global_3.member[_e149].member_2;
                     if _e302 {
-                        phi_499_ = _e313[0];
+                        phi_498_ = _e313[0];
                     } else {
-                        phi_499_ = _e313[1];
+                        phi_498_ = _e313[1];
                     }
-                    let _e317 = phi_499_;
+                    let _e317 = phi_498_;
                     if _e307 {
-                        phi_505_ = _e313[2];
+                        phi_504_ = _e313[2];
                     } else {
-                        phi_505_ = _e317;
+                        phi_504_ = _e317;
                     }
-                    let _e320 = phi_505_;
+                    let _e320 = phi_504_;
                     let _e322 = ((_e320 * _e291) * _e297);
                     let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e326 {
                         let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                        phi_527_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
                     } else {
-                        phi_528_ = 0f;
+                        phi_527_ = 0f;
                     }
-                    let _e334 = phi_528_;
+                    let _e334 = phi_527_;
                     let _e335 = (_e312 + _e334);
                     let _e336 = (_e312 - _e334);
                     let _e337 = select(_e322, 0f, _e326);
                     if _e326 {
-                        phi_539_ = 38685626000000000000000000f;
+                        phi_538_ = 38685626000000000000000000f;
                     } else {
-                        phi_539_ = (1f / _e322);
+                        phi_538_ = (1f / _e322);
                     }
-                    let _e340 = phi_539_;
+                    let _e340 = phi_538_;
                     let _e341 = (_e262 == 0u);
                     if _e341 {
-                        phi_548_ = _e301[0];
+                        phi_547_ = _e301[0];
                     } else {
-                        phi_548_ = _e301[1];
+                        phi_547_ = _e301[1];
                     }
-                    let _e345 = phi_548_;
+                    let _e345 = phi_547_;
                     let _e346 = (_e262 == 2u);
                     if _e346 {
-                        phi_554_ = _e301[2];
+                        phi_553_ = _e301[2];
                     } else {
-                        phi_554_ = _e345;
+                        phi_553_ = _e345;
                     }
-                    let _e349 = phi_554_;
+                    let _e349 = phi_553_;
                     let _e351 = ((_e349 * _e274) * _e280);
                     if _e341 {
-                        phi_565_ = _e313[0];
+                        phi_564_ = _e313[0];
                     } else {
-                        phi_565_ = _e313[1];
+                        phi_564_ = _e313[1];
                     }
-                    let _e355 = phi_565_;
+                    let _e355 = phi_564_;
                     if _e346 {
-                        phi_571_ = _e313[2];
+                        phi_570_ = _e313[2];
                     } else {
-                        phi_571_ = _e355;
+                        phi_570_ = _e355;
                     }
-                    let _e358 = phi_571_;
+                    let _e358 = phi_570_;
                     let _e360 = ((_e358 * _e291) * _e297);
                     let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e364 {
                         let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                        phi_593_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
                     } else {
-                        phi_594_ = 0f;
+                        phi_593_ = 0f;
                     }
-                    let _e372 = phi_594_;
+                    let _e372 = phi_593_;
                     let _e373 = (_e351 + _e372);
                     let _e374 = (_e351 - _e372);
                     let _e375 = select(_e360, 0f, _e364);
                     if _e364 {
-                        phi_605_ = 38685626000000000000000000f;
+                        phi_604_ = 38685626000000000000000000f;
                     } else {
-                        phi_605_ = (1f / _e360);
+                        phi_604_ = (1f / _e360);
                     }
-                    let _e378 = phi_605_;
+                    let _e378 = phi_604_;
                     let _e379 = (_e264 == 0u);
                     if _e379 {
-                        phi_614_ = _e301[0];
+                        phi_613_ = _e301[0];
                     } else {
-                        phi_614_ = _e301[1];
+                        phi_613_ = _e301[1];
                     }
-                    let _e383 = phi_614_;
+                    let _e383 = phi_613_;
                     let _e384 = (_e264 == 2u);
                     if _e384 {
-                        phi_620_ = _e301[2];
+                        phi_619_ = _e301[2];
                     } else {
-                        phi_620_ = _e383;
+                        phi_619_ = _e383;
                     }
-                    let _e387 = phi_620_;
+                    let _e387 = phi_619_;
                     let _e389 = ((_e387 * _e274) * _e280);
                     if _e379 {
-                        phi_631_ = _e313[0];
+                        phi_630_ = _e313[0];
                     } else {
-                        phi_631_ = _e313[1];
+                        phi_630_ = _e313[1];
                     }
-                    let _e393 = phi_631_;
+                    let _e393 = phi_630_;
                     if _e384 {
-                        phi_637_ = _e313[2];
+                        phi_636_ = _e313[2];
                     } else {
-                        phi_637_ = _e393;
+                        phi_636_ = _e393;
                     }
-                    let _e396 = phi_637_;
+                    let _e396 = phi_636_;
                     let _e398 = ((_e396 * _e291) * _e297);
                     let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e402 {
                         let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_660_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
+                        phi_659_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
                     } else {
-                        phi_660_ = 0f;
+                        phi_659_ = 0f;
                     }
-                    let _e410 = phi_660_;
+                    let _e410 = phi_659_;
                     let _e411 = (_e389 + _e410);
                     let _e412 = (_e389 - _e410);
                     let _e413 = select(_e398, 0f, _e402);
                     if _e402 {
-                        phi_671_ = 38685626000000000000000000f;
+                        phi_670_ = 38685626000000000000000000f;
                     } else {
-                        phi_671_ = (1f / _e398);
+                        phi_670_ = (1f / _e398);
                     }
-                    let _e416 = phi_671_;
+                    let _e416 = phi_670_;
                     let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
                     let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
                     let _e424 = select(_e422, _e419, (_e419 > _e422));
@@ -486,14 +486,14 @@ fn function_() {
                         let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
                         let _e455 = (((_e219 * _e440) * _e440) * _e447);
                         let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
-                        phi_772_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
+                        phi_770_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
+                        phi_771_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_771_ = 0f;
-                        phi_772_ = 1f;
+                        phi_770_ = 0f;
+                        phi_771_ = 1f;
                     }
-                    let _e461 = phi_771_;
-                    let _e463 = phi_772_;
+                    let _e461 = phi_770_;
+                    let _e463 = phi_771_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -538,1026 +538,1029 @@ fn function_() {
                         break;
                     }
                     let _e495 = local[_e479];
-                    phi_3629_ = false;
-                    phi_861_ = type_33(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e461);
-                    phi_864_ = type_53(type_28(vec4<f32>((f32(_e470) * _e143), (f32(_e476) * _e143), (f32(_e482) * _e143), 0f), vec4<f32>((f32(_e487) * _e143), (f32(_e491) * _e143), (f32(_e495) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
-                    phi_866_ = ((3u * _e92) + 1u);
-                    phi_868_ = (_e463 <= _e461);
-                    phi_870_ = 0u;
+                    phi_3486_ = false;
+                    phi_860_ = type_33(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e461);
+                    phi_863_ = type_53(type_28(vec4<f32>((f32(_e470) * _e143), (f32(_e476) * _e143), (f32(_e482) * _e143), 0f), vec4<f32>((f32(_e487) * _e143), (f32(_e491) * _e143), (f32(_e495) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_865_ = ((3u * _e92) + 1u);
+                    phi_867_ = (_e463 <= _e461);
+                    phi_869_ = 0u;
                     loop {
-                        let _e505 = phi_3629_;
-                        let _e507 = phi_861_;
-                        let _e509 = phi_864_;
-                        let _e511 = phi_866_;
-                        let _e513 = phi_868_;
-                        let _e515 = phi_870_;
+                        let _e505 = phi_3486_;
+                        let _e507 = phi_860_;
+                        let _e509 = phi_863_;
+                        let _e511 = phi_865_;
+                        let _e513 = phi_867_;
+                        let _e515 = phi_869_;
                         local_13 = _e507;
                         if _e513 {
-                            phi_881_ = true;
+                            phi_880_ = true;
                         } else {
-                            phi_881_ = (_e515 > 0u);
+                            phi_880_ = (_e515 > 0u);
                         }
-                        let _e518 = phi_881_;
+                        let _e518 = phi_880_;
                         if _e518 {
                             let _e519 = (_e511 > 0u);
                             if _e519 {
                                 if _e513 {
-                                    phi_967_ = _e509;
-                                    phi_968_ = _e513;
-                                    phi_969_ = _e515;
+                                    phi_966_ = _e509;
+                                    phi_967_ = _e513;
+                                    phi_968_ = _e515;
                                 } else {
                                     let _e520 = (_e515 - 1u);
                                     let _e521 = (_e520 % 128u);
                                     let _e522 = (_e521 < 128u);
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e524 = local_7[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e526 = local_6[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e528 = local_5[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e530 = local_4[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e532 = local_3[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e534 = local_2[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e539 = local_8[_e521];
                                     if _e522 {
                                     } else {
-                                        phi_3743_ = true;
+                                        phi_3600_ = true;
                                         break;
                                     }
                                     let _e542 = local_9[_e521];
-                                    phi_967_ = type_53(type_28(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
-                                    phi_968_ = (_e542 <= _e507.member_1);
-                                    phi_969_ = _e520;
+                                    phi_966_ = type_53(type_28(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
+                                    phi_967_ = (_e542 <= _e507.member_1);
+                                    phi_968_ = _e520;
                                 }
-                                let _e546 = phi_967_;
-                                let _e548 = phi_968_;
-                                let _e550 = phi_969_;
+                                let _e546 = phi_966_;
+                                let _e548 = phi_967_;
+                                let _e550 = phi_968_;
                                 if _e548 {
                                     let _e555 = (_e546.member_1 & 268435455u);
                                     if ((_e546.member_1 & 2147483648u) != 0u) {
-                                        phi_3626_ = _e505;
-                                        phi_988_ = _e507;
-                                        phi_991_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3483_ = _e505;
+                                        phi_987_ = _e507;
+                                        phi_990_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1036 = phi_3626_;
-                                            let _e1038 = phi_988_;
-                                            let _e1040 = phi_991_;
-                                            local_14 = _e1038;
-                                            if (_e1040.member < _e1040.member_1) {
-                                                phi_992_ = type_8((_e1040.member + 1u), _e1040.member_1);
-                                                phi_1014_ = type_8(1u, _e1040.member);
+                                            let _e1033 = phi_3483_;
+                                            let _e1035 = phi_987_;
+                                            let _e1037 = phi_990_;
+                                            local_14 = _e1035;
+                                            if (_e1037.member < _e1037.member_1) {
+                                                phi_991_ = type_8((_e1037.member + 1u), _e1037.member_1);
+                                                phi_1013_ = type_8(1u, _e1037.member);
                                             } else {
-                                                phi_992_ = _e1040;
-                                                phi_1014_ = type_8(0u, type_8().member_1);
+                                                phi_991_ = _e1037;
+                                                phi_1013_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1053 = phi_992_;
-                                            let _e1055 = phi_1014_;
-                                            let _e1059 = (bitcast<i32>(_e1055.member) != 0i);
-                                            if _e1059 {
-                                                let _e1064 = (_e546.member.member_1.x - _e546.member.member.x);
-                                                let _e1067 = (_e546.member.member_1.y - _e546.member.member.y);
-                                                let _e1070 = (_e546.member.member_1.z - _e546.member.member.z);
-                                                let _e1072 = select(_e1067, _e1064, (_e1064 > _e1067));
-                                                let _e1074 = select(_e1070, _e1072, (_e1072 > _e1070));
-                                                let _e1076 = (_e1074 < (1024f * _e143));
-                                                if _e1076 {
-                                                    phi_1055_ = 0u;
+                                            let _e1050 = phi_991_;
+                                            let _e1052 = phi_1013_;
+                                            let _e1056 = (bitcast<i32>(_e1052.member) != 0i);
+                                            if _e1056 {
+                                                let _e1061 = (_e546.member.member_1.x - _e546.member.member.x);
+                                                let _e1064 = (_e546.member.member_1.y - _e546.member.member.y);
+                                                let _e1067 = (_e546.member.member_1.z - _e546.member.member.z);
+                                                let _e1069 = select(_e1064, _e1061, (_e1061 > _e1064));
+                                                let _e1071 = select(_e1067, _e1069, (_e1069 > _e1067));
+                                                let _e1073 = (_e1071 < (1024f * _e143));
+                                                if _e1073 {
+                                                    phi_1054_ = 0u;
                                                 } else {
-                                                    phi_1055_ = select(2u, 1u, (_e1074 < (2097152f * _e143)));
+                                                    phi_1054_ = select(2u, 1u, (_e1071 < (2097152f * _e143)));
                                                 }
-                                                let _e1081 = phi_1055_;
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1078 = phi_1054_;
+                                                switch bitcast<i32>(_e1078) {
                                                     case 0: {
-                                                        phi_1061_ = 1u;
+                                                        phi_1060_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1061_ = 2u;
+                                                        phi_1060_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1061_ = 3u;
+                                                        phi_1060_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1061_ = u32();
+                                                        phi_1060_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1084 = phi_1061_;
-                                                switch bitcast<i32>(_e1081) {
+                                                let _e1081 = phi_1060_;
+                                                switch bitcast<i32>(_e1078) {
                                                     case 0: {
-                                                        phi_1071_ = 1u;
+                                                        phi_1070_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1071_ = 2u;
+                                                        phi_1070_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1071_ = 3u;
+                                                        phi_1070_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1071_ = u32();
+                                                        phi_1070_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1091 = phi_1071_;
-                                                let _e1093 = ((_e555 + (_e1055.member_1 * ((3u * _e1084) + 1u))) + (3u * _e1091));
-                                                let _e1094 = (_e1093 < _e95);
-                                                if _e1094 {
-                                                    if _e1094 {
+                                                let _e1088 = phi_1070_;
+                                                let _e1090 = ((_e555 + (_e1052.member_1 * ((3u * _e1081) + 1u))) + (3u * _e1088));
+                                                let _e1091 = (_e1090 < _e95);
+                                                if _e1091 {
+                                                    if _e1091 {
                                                     } else {
-                                                        phi_3684_ = true;
+                                                        phi_3541_ = true;
                                                         break;
                                                     }
-                                                    let _e1096 = global_5.member[_e1093];
-                                                    phi_1087_ = _e1096;
+                                                    let _e1093 = global_5.member[_e1090];
+                                                    phi_1086_ = _e1093;
                                                 } else {
-                                                    phi_1087_ = 4294967295u;
+                                                    phi_1086_ = 4294967295u;
                                                 }
-                                                let _e1098 = phi_1087_;
+                                                let _e1095 = phi_1086_;
                                                 local_10 = array<u32, 3>(_e263, _e262, _e264);
-                                                if _e1076 {
-                                                    phi_1124_ = 0u;
+                                                if _e1073 {
+                                                    phi_1123_ = 0u;
                                                 } else {
-                                                    phi_1124_ = select(2u, 1u, (_e1074 < (2097152f * _e143)));
+                                                    phi_1123_ = select(2u, 1u, (_e1071 < (2097152f * _e143)));
                                                 }
-                                                let _e1104 = phi_1124_;
-                                                switch bitcast<i32>(_e1104) {
+                                                let _e1101 = phi_1123_;
+                                                switch bitcast<i32>(_e1101) {
                                                     case 0: {
-                                                        phi_1130_ = 1u;
+                                                        phi_1129_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1130_ = 2u;
+                                                        phi_1129_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1130_ = 3u;
+                                                        phi_1129_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1130_ = u32();
+                                                        phi_1129_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1107 = phi_1130_;
-                                                switch bitcast<i32>(_e1104) {
+                                                let _e1104 = phi_1129_;
+                                                switch bitcast<i32>(_e1101) {
                                                     case 0: {
-                                                        phi_1140_ = 1u;
+                                                        phi_1139_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1140_ = 2u;
+                                                        phi_1139_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1140_ = 3u;
+                                                        phi_1139_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1140_ = u32();
+                                                        phi_1139_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1114 = phi_1140_;
+                                                let _e1111 = phi_1139_;
                                                 local_12 = array<f32, 4>(_e546.member.member.x, _e546.member.member.y, _e546.member.member.z, _e546.member.member.w);
                                                 local_11[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3611_ = _e1036;
-                                                phi_1156_ = type_8(0u, 3u);
+                                                phi_3468_ = _e1033;
+                                                phi_1155_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1128 = phi_3611_;
-                                                    let _e1130 = phi_1156_;
-                                                    if (_e1130.member < _e1130.member_1) {
-                                                        phi_1157_ = type_8((_e1130.member + 1u), _e1130.member_1);
-                                                        phi_1180_ = type_8(1u, _e1130.member);
+                                                    let _e1125 = phi_3468_;
+                                                    let _e1127 = phi_1155_;
+                                                    if (_e1127.member < _e1127.member_1) {
+                                                        phi_1156_ = type_8((_e1127.member + 1u), _e1127.member_1);
+                                                        phi_1179_ = type_8(1u, _e1127.member);
                                                     } else {
-                                                        phi_1157_ = _e1130;
-                                                        phi_1180_ = type_8(0u, type_8().member_1);
+                                                        phi_1156_ = _e1127;
+                                                        phi_1179_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1143 = phi_1157_;
-                                                    let _e1145 = phi_1180_;
-                                                    let _e1149 = (bitcast<i32>(_e1145.member) != 0i);
-                                                    if _e1149 {
-                                                        let _e1151 = ((_e555 + (_e1055.member_1 * ((3u * _e1107) + 1u))) + (_e1145.member_1 * _e1114));
-                                                        let _e1152 = (_e1151 < _e95);
-                                                        if _e1152 {
-                                                            if _e1152 {
+                                                    let _e1140 = phi_1156_;
+                                                    let _e1142 = phi_1179_;
+                                                    let _e1146 = (bitcast<i32>(_e1142.member) != 0i);
+                                                    if _e1146 {
+                                                        let _e1148 = ((_e555 + (_e1052.member_1 * ((3u * _e1104) + 1u))) + (_e1142.member_1 * _e1111));
+                                                        let _e1149 = (_e1148 < _e95);
+                                                        if _e1149 {
+                                                            if _e1149 {
                                                             } else {
-                                                                phi_3682_ = true;
+                                                                phi_3539_ = true;
                                                                 break;
                                                             }
-                                                            let _e1154 = global_5.member[_e1151];
-                                                            phi_1203_ = _e1154;
+                                                            let _e1151 = global_5.member[_e1148];
+                                                            phi_1202_ = _e1151;
                                                         } else {
-                                                            phi_1203_ = 0u;
+                                                            phi_1202_ = 0u;
                                                         }
-                                                        let _e1156 = phi_1203_;
-                                                        let _e1157 = (_e1151 + 1u);
-                                                        let _e1158 = (_e1157 < _e95);
-                                                        if _e1158 {
-                                                            if _e1158 {
+                                                        let _e1153 = phi_1202_;
+                                                        let _e1154 = (_e1148 + 1u);
+                                                        let _e1155 = (_e1154 < _e95);
+                                                        if _e1155 {
+                                                            if _e1155 {
                                                             } else {
-                                                                phi_3682_ = true;
+                                                                phi_3539_ = true;
                                                                 break;
                                                             }
-                                                            let _e1160 = global_5.member[_e1157];
-                                                            phi_1218_ = _e1160;
+                                                            let _e1157 = global_5.member[_e1154];
+                                                            phi_1217_ = _e1157;
                                                         } else {
-                                                            phi_1218_ = 0u;
+                                                            phi_1217_ = 0u;
                                                         }
-                                                        let _e1162 = phi_1218_;
-                                                        phi_1221_ = type_8(0u, 3u);
+                                                        let _e1159 = phi_1217_;
+                                                        phi_1220_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1164 = phi_1221_;
-                                                            if (_e1164.member < _e1164.member_1) {
-                                                                phi_1222_ = type_8((_e1164.member + 1u), _e1164.member_1);
-                                                                phi_1245_ = type_8(1u, _e1164.member);
+                                                            let _e1161 = phi_1220_;
+                                                            if (_e1161.member < _e1161.member_1) {
+                                                                phi_1221_ = type_8((_e1161.member + 1u), _e1161.member_1);
+                                                                phi_1244_ = type_8(1u, _e1161.member);
                                                             } else {
-                                                                phi_1222_ = _e1164;
-                                                                phi_1245_ = type_8(0u, type_8().member_1);
+                                                                phi_1221_ = _e1161;
+                                                                phi_1244_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1177 = phi_1222_;
-                                                            let _e1179 = phi_1245_;
-                                                            let _e1183 = (bitcast<i32>(_e1179.member) != 0i);
-                                                            if _e1183 {
-                                                                let _e1184 = (_e1179.member_1 < 3u);
-                                                                if _e1184 {
+                                                            let _e1174 = phi_1221_;
+                                                            let _e1176 = phi_1244_;
+                                                            let _e1180 = (bitcast<i32>(_e1176.member) != 0i);
+                                                            if _e1180 {
+                                                                let _e1181 = (_e1176.member_1 < 3u);
+                                                                if _e1181 {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1186 = local_10[_e1179.member_1];
-                                                                if (_e1179.member_1 < 4u) {
+                                                                let _e1183 = local_10[_e1176.member_1];
+                                                                if (_e1176.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1189 = local_12[_e1179.member_1];
-                                                                switch bitcast<i32>(_e1104) {
+                                                                let _e1186 = local_12[_e1176.member_1];
+                                                                switch bitcast<i32>(_e1101) {
                                                                     case 0: {
-                                                                        phi_1315_ = (_e1189 + (f32(((_e1156 >> bitcast<u32>(((10u * _e1186) & 31u))) & 1023u)) * _e143));
+                                                                        phi_1314_ = (_e1186 + (f32(((_e1153 >> bitcast<u32>(((10u * _e1183) & 31u))) & 1023u)) * _e143));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1186 == 0u) {
-                                                                            phi_1292_ = _e1156;
+                                                                        if (_e1183 == 0u) {
+                                                                            phi_1291_ = _e1153;
                                                                         } else {
-                                                                            if (_e1186 == 1u) {
-                                                                                phi_1291_ = ((_e1156 >> bitcast<u32>(21i)) | (_e1162 << bitcast<u32>(11i)));
+                                                                            if (_e1183 == 1u) {
+                                                                                phi_1290_ = ((_e1153 >> bitcast<u32>(21i)) | (_e1159 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1291_ = (_e1162 >> bitcast<u32>(10i));
+                                                                                phi_1290_ = (_e1159 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1210 = phi_1291_;
-                                                                            phi_1292_ = _e1210;
+                                                                            let _e1207 = phi_1290_;
+                                                                            phi_1291_ = _e1207;
                                                                         }
-                                                                        let _e1212 = phi_1292_;
-                                                                        phi_1315_ = (_e1189 + (f32((_e1212 & 2097151u)) * _e143));
+                                                                        let _e1209 = phi_1291_;
+                                                                        phi_1314_ = (_e1186 + (f32((_e1209 & 2097151u)) * _e143));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1191 = (_e1151 + _e1186);
-                                                                        let _e1192 = (_e1191 < _e95);
-                                                                        if _e1192 {
-                                                                            if _e1192 {
+                                                                        let _e1188 = (_e1148 + _e1183);
+                                                                        let _e1189 = (_e1188 < _e95);
+                                                                        if _e1189 {
+                                                                            if _e1189 {
                                                                             } else {
-                                                                                phi_3604_ = true;
+                                                                                phi_3461_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1194 = global_5.member[_e1191];
-                                                                            phi_1311_ = _e1194;
+                                                                            let _e1191 = global_5.member[_e1188];
+                                                                            phi_1310_ = _e1191;
                                                                         } else {
-                                                                            phi_1311_ = 0u;
+                                                                            phi_1310_ = 0u;
                                                                         }
-                                                                        let _e1196 = phi_1311_;
-                                                                        phi_1315_ = (f32(bitcast<i32>(_e1196)) * _e143);
+                                                                        let _e1193 = phi_1310_;
+                                                                        phi_1314_ = (f32(bitcast<i32>(_e1193)) * _e143);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1315_ = f32();
+                                                                        phi_1314_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1226 = phi_1315_;
-                                                                if (_e1145.member_1 < 3u) {
+                                                                let _e1223 = phi_1314_;
+                                                                if (_e1142.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1184 {
+                                                                if _e1181 {
                                                                 } else {
-                                                                    phi_3604_ = true;
+                                                                    phi_3461_ = true;
                                                                     break;
                                                                 }
-                                                                local_11[_e1145.member_1][_e1179.member_1] = _e1226;
+                                                                local_11[_e1142.member_1][_e1176.member_1] = _e1223;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1221_ = _e1177;
-                                                                phi_3604_ = _e1128;
-                                                                break if !(_e1183);
+                                                                phi_1220_ = _e1174;
+                                                                phi_3461_ = _e1125;
+                                                                break if !(_e1180);
                                                             }
                                                         }
-                                                        let _e1232 = phi_3604_;
-                                                        phi_3682_ = _e1232;
-                                                        if _e1232 {
+                                                        let _e1229 = phi_3461_;
+                                                        phi_3539_ = _e1229;
+                                                        if _e1229 {
                                                             break;
                                                         }
-                                                        phi_3683_ = _e1232;
+                                                        phi_3540_ = _e1229;
                                                     } else {
-                                                        phi_3683_ = _e1128;
+                                                        phi_3540_ = _e1125;
                                                     }
-                                                    let _e1234 = phi_3683_;
+                                                    let _e1231 = phi_3540_;
                                                     continue;
                                                     continuing {
-                                                        phi_3611_ = _e1234;
-                                                        phi_1156_ = _e1143;
-                                                        phi_3682_ = _e1234;
-                                                        break if !(_e1149);
+                                                        phi_3468_ = _e1231;
+                                                        phi_1155_ = _e1140;
+                                                        phi_3539_ = _e1231;
+                                                        break if !(_e1146);
                                                     }
                                                 }
-                                                let _e1237 = phi_3682_;
-                                                phi_3684_ = _e1237;
-                                                if _e1237 {
+                                                let _e1234 = phi_3539_;
+                                                phi_3541_ = _e1234;
+                                                if _e1234 {
                                                     break;
                                                 }
-                                                let _e1238 = local_11;
-                                                let _e1254 = (_e1238[0][2] - _e389);
-                                                let _e1257 = (((_e1238[0][0] - _e312) * _e413) - (_e1254 * _e337));
-                                                let _e1260 = (((_e1238[0][1] - _e351) * _e413) - (_e1254 * _e375));
-                                                let _e1263 = (_e1238[1][2] - _e389);
-                                                let _e1266 = (((_e1238[1][0] - _e312) * _e413) - (_e1263 * _e337));
-                                                let _e1269 = (((_e1238[1][1] - _e351) * _e413) - (_e1263 * _e375));
-                                                let _e1272 = (_e1238[2][2] - _e389);
-                                                let _e1275 = (((_e1238[2][0] - _e312) * _e413) - (_e1272 * _e337));
-                                                let _e1278 = (((_e1238[2][1] - _e351) * _e413) - (_e1272 * _e375));
-                                                let _e1279 = (_e1275 * _e1269);
-                                                let _e1280 = (_e1278 * _e1266);
-                                                let _e1281 = (_e1257 * _e1278);
-                                                let _e1282 = (_e1260 * _e1275);
-                                                let _e1283 = (_e1266 * _e1260);
-                                                let _e1284 = (_e1269 * _e1257);
-                                                let _e1289 = (((_e1279 >= _e1280) && (_e1281 >= _e1282)) && (_e1283 >= _e1284));
-                                                if (_e1289 || (((_e1279 <= _e1280) && (_e1281 <= _e1282)) && (_e1283 <= _e1284))) {
-                                                    let _e1296 = select(-1f, 1f, _e1289);
-                                                    let _e1298 = ((_e1279 - _e1280) * _e1296);
-                                                    let _e1300 = select(0f, _e1298, (_e1298 > 0f));
-                                                    let _e1302 = ((_e1281 - _e1282) * _e1296);
-                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
-                                                    let _e1306 = ((_e1283 - _e1284) * _e1296);
-                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
-                                                    let _e1310 = ((_e1300 + _e1304) + _e1308);
-                                                    if (_e1310 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1910_ = type_20();
-                                                        phi_1911_ = true;
+                                                let _e1235 = local_11;
+                                                let _e1251 = (_e1235[0][2] - _e389);
+                                                let _e1254 = (((_e1235[0][0] - _e312) * _e413) - (_e1251 * _e337));
+                                                let _e1257 = (((_e1235[0][1] - _e351) * _e413) - (_e1251 * _e375));
+                                                let _e1260 = (_e1235[1][2] - _e389);
+                                                let _e1263 = (((_e1235[1][0] - _e312) * _e413) - (_e1260 * _e337));
+                                                let _e1266 = (((_e1235[1][1] - _e351) * _e413) - (_e1260 * _e375));
+                                                let _e1269 = (_e1235[2][2] - _e389);
+                                                let _e1272 = (((_e1235[2][0] - _e312) * _e413) - (_e1269 * _e337));
+                                                let _e1275 = (((_e1235[2][1] - _e351) * _e413) - (_e1269 * _e375));
+                                                let _e1276 = (_e1272 * _e1266);
+                                                let _e1277 = (_e1275 * _e1263);
+                                                let _e1278 = (_e1254 * _e1275);
+                                                let _e1279 = (_e1257 * _e1272);
+                                                let _e1280 = (_e1263 * _e1257);
+                                                let _e1281 = (_e1266 * _e1254);
+                                                let _e1286 = (((_e1276 >= _e1277) && (_e1278 >= _e1279)) && (_e1280 >= _e1281));
+                                                if (_e1286 || (((_e1276 <= _e1277) && (_e1278 <= _e1279)) && (_e1280 <= _e1281))) {
+                                                    let _e1293 = select(-1f, 1f, _e1286);
+                                                    let _e1295 = ((_e1276 - _e1277) * _e1293);
+                                                    let _e1297 = select(0f, _e1295, (_e1295 > 0f));
+                                                    let _e1299 = ((_e1278 - _e1279) * _e1293);
+                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
+                                                    let _e1303 = ((_e1280 - _e1281) * _e1293);
+                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
+                                                    let _e1307 = ((_e1297 + _e1301) + _e1305);
+                                                    if (_e1307 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1909_ = type_20();
+                                                        phi_1910_ = true;
                                                     } else {
-                                                        let _e1313 = select(_e1238[1][0], _e1238[0][0], (_e1238[0][0] < _e1238[1][0]));
-                                                        let _e1317 = select(_e1238[1][0], _e1238[0][0], (_e1238[0][0] > _e1238[1][0]));
-                                                        let _e1321 = select(_e1238[1][1], _e1238[0][1], (_e1238[0][1] < _e1238[1][1]));
-                                                        let _e1325 = select(_e1238[1][1], _e1238[0][1], (_e1238[0][1] > _e1238[1][1]));
-                                                        let _e1329 = select(_e1238[1][2], _e1238[0][2], (_e1238[0][2] < _e1238[1][2]));
-                                                        let _e1333 = select(_e1238[1][2], _e1238[0][2], (_e1238[0][2] > _e1238[1][2]));
-                                                        let _e1338 = ((select(_e1238[2][0], _e1313, (_e1313 < _e1238[2][0])) - _e335) * _e340);
-                                                        let _e1339 = ((select(_e1238[2][0], _e1317, (_e1317 > _e1238[2][0])) - _e336) * _e340);
-                                                        let _e1342 = ((select(_e1238[2][1], _e1321, (_e1321 < _e1238[2][1])) - _e373) * _e378);
-                                                        let _e1343 = ((select(_e1238[2][1], _e1325, (_e1325 > _e1238[2][1])) - _e374) * _e378);
-                                                        let _e1346 = ((select(_e1238[2][2], _e1329, (_e1329 < _e1238[2][2])) - _e411) * _e416);
-                                                        let _e1347 = ((select(_e1238[2][2], _e1333, (_e1333 > _e1238[2][2])) - _e412) * _e416);
-                                                        let _e1349 = select(_e1347, _e1346, (_e1346 < _e1347));
-                                                        let _e1351 = select(_e1347, _e1346, (_e1346 > _e1347));
-                                                        let _e1353 = select(_e1339, _e1338, (_e1338 < _e1339));
-                                                        let _e1355 = select(_e1343, _e1342, (_e1342 < _e1343));
-                                                        let _e1357 = select(_e1355, _e1353, (_e1353 > _e1355));
-                                                        let _e1359 = select(_e1349, _e1357, (_e1357 > _e1349));
-                                                        let _e1361 = select(_e1339, _e1338, (_e1338 > _e1339));
-                                                        let _e1363 = select(_e1343, _e1342, (_e1342 > _e1343));
-                                                        let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
-                                                        let _e1367 = select(_e1351, _e1365, (_e1365 < _e1351));
-                                                        let _e1368 = -(_e1349);
-                                                        let _e1374 = select(_e463, _e1359, (_e1359 > _e463));
-                                                        if (_e1374 > (_e1367 + (select(_e1368, _e1351, (_e1351 > _e1368)) * 0.0000019073523f))) {
-                                                            phi_1905_ = type_20();
-                                                            phi_1906_ = true;
+                                                        let _e1310 = select(_e1235[1][0], _e1235[0][0], (_e1235[0][0] < _e1235[1][0]));
+                                                        let _e1314 = select(_e1235[1][0], _e1235[0][0], (_e1235[0][0] > _e1235[1][0]));
+                                                        let _e1318 = select(_e1235[1][1], _e1235[0][1], (_e1235[0][1] < _e1235[1][1]));
+                                                        let _e1322 = select(_e1235[1][1], _e1235[0][1], (_e1235[0][1] > _e1235[1][1]));
+                                                        let _e1326 = select(_e1235[1][2], _e1235[0][2], (_e1235[0][2] < _e1235[1][2]));
+                                                        let _e1330 = select(_e1235[1][2], _e1235[0][2], (_e1235[0][2] > _e1235[1][2]));
+                                                        let _e1335 = ((select(_e1235[2][0], _e1310, (_e1310 < _e1235[2][0])) - _e335) * _e340);
+                                                        let _e1336 = ((select(_e1235[2][0], _e1314, (_e1314 > _e1235[2][0])) - _e336) * _e340);
+                                                        let _e1339 = ((select(_e1235[2][1], _e1318, (_e1318 < _e1235[2][1])) - _e373) * _e378);
+                                                        let _e1340 = ((select(_e1235[2][1], _e1322, (_e1322 > _e1235[2][1])) - _e374) * _e378);
+                                                        let _e1343 = ((select(_e1235[2][2], _e1326, (_e1326 < _e1235[2][2])) - _e411) * _e416);
+                                                        let _e1344 = ((select(_e1235[2][2], _e1330, (_e1330 > _e1235[2][2])) - _e412) * _e416);
+                                                        let _e1346 = select(_e1344, _e1343, (_e1343 < _e1344));
+                                                        let _e1348 = select(_e1344, _e1343, (_e1343 > _e1344));
+                                                        let _e1350 = select(_e1336, _e1335, (_e1335 < _e1336));
+                                                        let _e1352 = select(_e1340, _e1339, (_e1339 < _e1340));
+                                                        let _e1354 = select(_e1352, _e1350, (_e1350 > _e1352));
+                                                        let _e1356 = select(_e1346, _e1354, (_e1354 > _e1346));
+                                                        let _e1358 = select(_e1336, _e1335, (_e1335 > _e1336));
+                                                        let _e1360 = select(_e1340, _e1339, (_e1339 > _e1340));
+                                                        let _e1362 = select(_e1360, _e1358, (_e1358 < _e1360));
+                                                        let _e1364 = select(_e1348, _e1362, (_e1362 < _e1348));
+                                                        let _e1365 = -(_e1346);
+                                                        let _e1371 = select(_e463, _e1356, (_e1356 > _e463));
+                                                        if (_e1371 > (_e1364 + (select(_e1365, _e1348, (_e1348 > _e1365)) * 0.0000019073523f))) {
+                                                            phi_1904_ = type_20();
+                                                            phi_1905_ = true;
                                                         } else {
-                                                            let _e1376 = (_e1374 > _e1038.member_1);
-                                                            if _e1376 {
-                                                                phi_1904_ = type_20();
+                                                            let _e1373 = (_e1371 > _e1035.member_1);
+                                                            if _e1373 {
+                                                                phi_1903_ = type_20();
                                                             } else {
-                                                                let _e1380 = (_e1238[1][0] - _e1238[0][0]);
-                                                                let _e1381 = (_e1238[1][1] - _e1238[0][1]);
-                                                                let _e1382 = (_e1238[1][2] - _e1238[0][2]);
-                                                                let _e1383 = vec3<f32>(_e1380, _e1381, _e1382);
-                                                                let _e1384 = (_e1238[2][0] - _e1238[1][0]);
-                                                                let _e1385 = (_e1238[2][1] - _e1238[1][1]);
-                                                                let _e1386 = (_e1238[2][2] - _e1238[1][2]);
-                                                                let _e1387 = vec3<f32>(_e1384, _e1385, _e1386);
-                                                                let _e1388 = (_e1238[0][0] - _e1238[2][0]);
-                                                                let _e1389 = (_e1238[0][1] - _e1238[2][1]);
-                                                                let _e1390 = (_e1238[0][2] - _e1238[2][2]);
-                                                                let _e1391 = vec3<f32>(_e1388, _e1389, _e1390);
-                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
-                                                                let _e1397 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1399 = select(_e1397, _e1394, (_e1394 > _e1397));
-                                                                let _e1402 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1404 = select(_e1402, _e1399, (_e1399 > _e1402));
-                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1384) & 2147483647u));
-                                                                let _e1410 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                let _e1415 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1417 = select(_e1415, _e1412, (_e1412 > _e1415));
-                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u));
-                                                                let _e1423 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
-                                                                let _e1428 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                let _e1432 = select(_e1417, _e1404, (_e1404 > _e1417));
-                                                                let _e1434 = select(_e1430, _e1432, (_e1432 > _e1430));
-                                                                if (_e1404 == _e1434) {
-                                                                    phi_1815_ = _e1387;
-                                                                    phi_1816_ = _e1391;
+                                                                let _e1377 = (_e1235[1][0] - _e1235[0][0]);
+                                                                let _e1378 = (_e1235[1][1] - _e1235[0][1]);
+                                                                let _e1379 = (_e1235[1][2] - _e1235[0][2]);
+                                                                let _e1380 = vec3<f32>(_e1377, _e1378, _e1379);
+                                                                let _e1381 = (_e1235[2][0] - _e1235[1][0]);
+                                                                let _e1382 = (_e1235[2][1] - _e1235[1][1]);
+                                                                let _e1383 = (_e1235[2][2] - _e1235[1][2]);
+                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
+                                                                let _e1385 = (_e1235[0][0] - _e1235[2][0]);
+                                                                let _e1386 = (_e1235[0][1] - _e1235[2][1]);
+                                                                let _e1387 = (_e1235[0][2] - _e1235[2][2]);
+                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
+                                                                let _e1391 = bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u));
+                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
+                                                                let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
+                                                                let _e1399 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
+                                                                let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
+                                                                let _e1404 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
+                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
+                                                                let _e1409 = select(_e1407, _e1404, (_e1404 > _e1407));
+                                                                let _e1412 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1414 = select(_e1412, _e1409, (_e1409 > _e1412));
+                                                                let _e1417 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
+                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
+                                                                let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
+                                                                let _e1425 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
+                                                                let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
+                                                                let _e1429 = select(_e1414, _e1401, (_e1401 > _e1414));
+                                                                let _e1431 = select(_e1427, _e1429, (_e1429 > _e1427));
+                                                                if (_e1401 == _e1431) {
+                                                                    phi_1814_ = _e1384;
+                                                                    phi_1815_ = _e1388;
                                                                 } else {
-                                                                    let _e1437 = vec3((_e1417 == _e1434));
-                                                                    phi_1815_ = select(_e1383, _e1391, _e1437);
-                                                                    phi_1816_ = select(_e1387, _e1383, _e1437);
+                                                                    let _e1434 = vec3((_e1414 == _e1431));
+                                                                    phi_1814_ = select(_e1380, _e1388, _e1434);
+                                                                    phi_1815_ = select(_e1384, _e1380, _e1434);
                                                                 }
-                                                                let _e1441 = phi_1815_;
-                                                                let _e1443 = phi_1816_;
-                                                                let _e1450 = ((_e1441.y * _e1443.z) - (_e1443.y * _e1441.z));
-                                                                let _e1455 = ((_e1441.z * _e1443.x) - (_e1443.z * _e1441.x));
-                                                                let _e1458 = ((_e1441.x * _e1443.y) - (_e1443.x * _e1441.y));
-                                                                if (_e1300 >= _e1304) {
-                                                                    phi_1847_ = select(true, false, (_e1300 >= _e1308));
+                                                                let _e1438 = phi_1814_;
+                                                                let _e1440 = phi_1815_;
+                                                                let _e1447 = ((_e1438.y * _e1440.z) - (_e1440.y * _e1438.z));
+                                                                let _e1452 = ((_e1438.z * _e1440.x) - (_e1440.z * _e1438.x));
+                                                                let _e1455 = ((_e1438.x * _e1440.y) - (_e1440.x * _e1438.y));
+                                                                if (_e1297 >= _e1301) {
+                                                                    phi_1846_ = select(true, false, (_e1297 >= _e1305));
                                                                 } else {
-                                                                    phi_1847_ = true;
+                                                                    phi_1846_ = true;
                                                                 }
-                                                                let _e1463 = phi_1847_;
-                                                                if _e1463 {
-                                                                    phi_1856_ = select(vec3<f32>(_e1238[2][0], _e1238[2][1], _e1238[2][2]), vec3<f32>(_e1238[1][0], _e1238[1][1], _e1238[1][2]), vec3((_e1304 >= _e1308)));
+                                                                let _e1460 = phi_1846_;
+                                                                if _e1460 {
+                                                                    phi_1855_ = select(vec3<f32>(_e1235[2][0], _e1235[2][1], _e1235[2][2]), vec3<f32>(_e1235[1][0], _e1235[1][1], _e1235[1][2]), vec3((_e1301 >= _e1305)));
                                                                 } else {
-                                                                    phi_1856_ = vec3<f32>(_e1238[0][0], _e1238[0][1], _e1238[0][2]);
+                                                                    phi_1855_ = vec3<f32>(_e1235[0][0], _e1235[0][1], _e1235[0][2]);
                                                                 }
-                                                                let _e1468 = phi_1856_;
-                                                                let _e1485 = ((((_e1450 * (_e1468.x - _e312)) + (_e1455 * (_e1468.y - _e351))) + (_e1458 * (_e1468.z - _e389))) / (((_e1450 * _e337) + (_e1455 * _e375)) + (_e1458 * _e413)));
-                                                                let _e1487 = select(_e1367, _e1485, (_e1485 < _e1367));
-                                                                let _e1489 = select(_e1359, _e1487, (_e1487 > _e1359));
-                                                                if (_e1489 >= _e463) {
-                                                                    let _e1491 = (_e1489 <= _e1038.member_1);
-                                                                    if _e1491 {
-                                                                        let _e1492 = (1f / _e1310);
-                                                                        phi_1896_ = type_20(_e1489, (_e1304 * _e1492), (_e1308 * _e1492), _e1098);
+                                                                let _e1465 = phi_1855_;
+                                                                let _e1482 = ((((_e1447 * (_e1465.x - _e312)) + (_e1452 * (_e1465.y - _e351))) + (_e1455 * (_e1465.z - _e389))) / (((_e1447 * _e337) + (_e1452 * _e375)) + (_e1455 * _e413)));
+                                                                let _e1484 = select(_e1364, _e1482, (_e1482 < _e1364));
+                                                                let _e1486 = select(_e1356, _e1484, (_e1484 > _e1356));
+                                                                if (_e1486 >= _e463) {
+                                                                    let _e1488 = (_e1486 <= _e1035.member_1);
+                                                                    if _e1488 {
+                                                                        let _e1489 = (1f / _e1307);
+                                                                        phi_1895_ = type_20(_e1486, (_e1301 * _e1489), (_e1305 * _e1489), _e1095);
                                                                     } else {
-                                                                        phi_1896_ = type_20();
+                                                                        phi_1895_ = type_20();
                                                                     }
-                                                                    let _e1497 = phi_1896_;
-                                                                    phi_1898_ = _e1497;
-                                                                    phi_1899_ = select(true, false, _e1491);
+                                                                    let _e1494 = phi_1895_;
+                                                                    phi_1897_ = _e1494;
+                                                                    phi_1898_ = select(true, false, _e1488);
                                                                 } else {
-                                                                    phi_1898_ = type_20();
-                                                                    phi_1899_ = true;
+                                                                    phi_1897_ = type_20();
+                                                                    phi_1898_ = true;
                                                                 }
-                                                                let _e1500 = phi_1898_;
-                                                                let _e1502 = phi_1899_;
-                                                                if _e1502 {
-                                                                    phi_1903_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1497 = phi_1897_;
+                                                                let _e1499 = phi_1898_;
+                                                                if _e1499 {
+                                                                    phi_1902_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1903_ = _e1500;
+                                                                    phi_1902_ = _e1497;
                                                                 }
-                                                                let _e1504 = phi_1903_;
-                                                                phi_1904_ = _e1504;
+                                                                let _e1501 = phi_1902_;
+                                                                phi_1903_ = _e1501;
                                                             }
-                                                            let _e1506 = phi_1904_;
-                                                            phi_1905_ = _e1506;
-                                                            phi_1906_ = _e1376;
+                                                            let _e1503 = phi_1903_;
+                                                            phi_1904_ = _e1503;
+                                                            phi_1905_ = _e1373;
                                                         }
-                                                        let _e1508 = phi_1905_;
-                                                        let _e1510 = phi_1906_;
-                                                        phi_1910_ = _e1508;
-                                                        phi_1911_ = _e1510;
+                                                        let _e1505 = phi_1904_;
+                                                        let _e1507 = phi_1905_;
+                                                        phi_1909_ = _e1505;
+                                                        phi_1910_ = _e1507;
                                                     }
-                                                    let _e1512 = phi_1910_;
-                                                    let _e1514 = phi_1911_;
-                                                    phi_1915_ = _e1512;
-                                                    phi_1916_ = _e1514;
+                                                    let _e1509 = phi_1909_;
+                                                    let _e1511 = phi_1910_;
+                                                    phi_1914_ = _e1509;
+                                                    phi_1915_ = _e1511;
                                                 } else {
-                                                    phi_1915_ = type_20();
-                                                    phi_1916_ = true;
+                                                    phi_1914_ = type_20();
+                                                    phi_1915_ = true;
                                                 }
-                                                let _e1516 = phi_1915_;
-                                                let _e1518 = phi_1916_;
-                                                if _e1518 {
-                                                    phi_1920_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1513 = phi_1914_;
+                                                let _e1515 = phi_1915_;
+                                                if _e1515 {
+                                                    phi_1919_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1920_ = _e1516;
+                                                    phi_1919_ = _e1513;
                                                 }
-                                                let _e1520 = phi_1920_;
-                                                if (_e1520.member_3 != 4294967295u) {
-                                                    if (_e1098 != 4294967295u) {
-                                                        if (_e1520.member < _e1038.member.member) {
-                                                            phi_1946_ = true;
+                                                let _e1517 = phi_1919_;
+                                                if (_e1517.member_3 != 4294967295u) {
+                                                    if (_e1095 != 4294967295u) {
+                                                        if (_e1517.member < _e1035.member.member) {
+                                                            phi_1945_ = true;
                                                         } else {
-                                                            if (_e1520.member == _e1038.member.member) {
-                                                                phi_1945_ = (_e1520.member_3 < _e1038.member.member_3);
+                                                            if (_e1517.member == _e1035.member.member) {
+                                                                phi_1944_ = (_e1517.member_3 < _e1035.member.member_3);
                                                             } else {
-                                                                phi_1945_ = false;
+                                                                phi_1944_ = false;
                                                             }
-                                                            let _e1533 = phi_1945_;
-                                                            phi_1946_ = _e1533;
+                                                            let _e1530 = phi_1944_;
+                                                            phi_1945_ = _e1530;
                                                         }
-                                                        let _e1535 = phi_1946_;
-                                                        if _e1535 {
-                                                            phi_1952_ = type_33(_e1520, _e1520.member);
+                                                        let _e1532 = phi_1945_;
+                                                        if _e1532 {
+                                                            phi_1951_ = type_33(_e1517, _e1517.member);
                                                         } else {
-                                                            phi_1952_ = _e1038;
+                                                            phi_1951_ = _e1035;
                                                         }
-                                                        let _e1538 = phi_1952_;
-                                                        phi_1953_ = _e1538;
+                                                        let _e1535 = phi_1951_;
+                                                        phi_1952_ = _e1535;
                                                     } else {
-                                                        phi_1953_ = _e1038;
+                                                        phi_1952_ = _e1035;
                                                     }
-                                                    let _e1540 = phi_1953_;
-                                                    phi_1954_ = _e1540;
+                                                    let _e1537 = phi_1952_;
+                                                    phi_1953_ = _e1537;
                                                 } else {
-                                                    phi_1954_ = _e1038;
+                                                    phi_1953_ = _e1035;
                                                 }
-                                                let _e1542 = phi_1954_;
-                                                phi_3685_ = _e1237;
-                                                phi_989_ = _e1542;
+                                                let _e1539 = phi_1953_;
+                                                phi_3542_ = _e1234;
+                                                phi_988_ = _e1539;
                                             } else {
-                                                phi_3685_ = _e1036;
-                                                phi_989_ = type_33();
+                                                phi_3542_ = _e1033;
+                                                phi_988_ = type_33();
                                             }
-                                            let _e1544 = phi_3685_;
-                                            let _e1546 = phi_989_;
+                                            let _e1541 = phi_3542_;
+                                            let _e1543 = phi_988_;
                                             continue;
                                             continuing {
-                                                phi_3626_ = _e1544;
-                                                phi_988_ = _e1546;
-                                                phi_991_ = _e1053;
-                                                phi_3684_ = _e1544;
-                                                break if !(_e1059);
+                                                phi_3483_ = _e1541;
+                                                phi_987_ = _e1543;
+                                                phi_990_ = _e1050;
+                                                phi_3541_ = _e1541;
+                                                break if !(_e1056);
                                             }
                                         }
-                                        let _e1549 = phi_3684_;
-                                        phi_3743_ = _e1549;
-                                        if _e1549 {
+                                        let _e1546 = phi_3541_;
+                                        phi_3600_ = _e1546;
+                                        if _e1546 {
                                             break;
                                         }
-                                        phi_3747_ = _e1549;
-                                        let _e1749 = local_14;
-                                        phi_3336_ = _e1749;
-                                        phi_3337_ = _e546;
-                                        phi_3338_ = false;
-                                        phi_3339_ = _e550;
+                                        phi_3604_ = _e1546;
+                                        let _e1746 = local_14;
+                                        phi_3193_ = _e1746;
+                                        phi_3194_ = _e546;
+                                        phi_3195_ = false;
+                                        phi_3196_ = _e550;
                                     } else {
                                         if (_e546.member_1 >= _e92) {
-                                            phi_2892_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2749_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e546.member_1 < _e92) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e564 = ((1u + (_e263 * 2u)) % 7u);
+                                            let _e562 = (_e263 * 2u);
+                                            let _e564 = ((1u + _e562) % 7u);
                                             if (_e564 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
                                             let _e569 = global_4.member[_e546.member_1][_e564];
-                                            let _e572 = ((1u + (_e262 * 2u)) % 7u);
-                                            if (_e572 < 7u) {
+                                            let _e571 = ((_e562 + 2u) % 7u);
+                                            if (_e571 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e577 = global_4.member[_e546.member_1][_e572];
-                                            let _e580 = ((1u + (_e264 * 2u)) % 7u);
-                                            if (_e580 < 7u) {
+                                            let _e576 = global_4.member[_e546.member_1][_e571];
+                                            let _e577 = (_e262 * 2u);
+                                            let _e579 = ((1u + _e577) % 7u);
+                                            if (_e579 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e585 = global_4.member[_e546.member_1][_e580];
-                                            let _e588 = (((_e263 + 1u) * 2u) % 7u);
-                                            if (_e588 < 7u) {
+                                            let _e584 = global_4.member[_e546.member_1][_e579];
+                                            let _e586 = ((_e577 + 2u) % 7u);
+                                            if (_e586 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e593 = global_4.member[_e546.member_1][_e588];
-                                            let _e596 = (((_e262 + 1u) * 2u) % 7u);
-                                            if (_e596 < 7u) {
+                                            let _e591 = global_4.member[_e546.member_1][_e586];
+                                            let _e592 = (_e264 * 2u);
+                                            let _e594 = ((1u + _e592) % 7u);
+                                            if (_e594 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e601 = global_4.member[_e546.member_1][_e596];
-                                            let _e604 = (((_e264 + 1u) * 2u) % 7u);
-                                            if (_e604 < 7u) {
+                                            let _e599 = global_4.member[_e546.member_1][_e594];
+                                            let _e601 = ((_e592 + 2u) % 7u);
+                                            if (_e601 < 7u) {
                                             } else {
-                                                phi_3743_ = true;
+                                                phi_3600_ = true;
                                                 break;
                                             }
-                                            let _e609 = global_4.member[_e546.member_1][_e604];
-                                            let _e632 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e636 = select(_e143, _e632, (_e632 > _e143));
-                                            let _e638 = select(_e143, _e633, (_e633 > _e143));
-                                            let _e640 = select(_e143, _e634, (_e634 > _e143));
-                                            let _e665 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e636));
-                                            let _e670 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e673 = bitcast<f32>((_e665 & bitcast<u32>(_e670)));
-                                            let _e674 = bitcast<u32>((f32(bitcast<i32>((_e577 & 2097151u))) * _e638));
-                                            let _e679 = (bitcast<i32>((_e577 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e682 = bitcast<f32>((_e674 & bitcast<u32>(_e679)));
-                                            let _e683 = bitcast<u32>((f32(bitcast<i32>((_e585 & 2097151u))) * _e640));
-                                            let _e688 = (bitcast<i32>((_e585 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e691 = bitcast<f32>((_e683 & bitcast<u32>(_e688)));
-                                            let _e695 = bitcast<f32>((_e665 & bitcast<u32>(~(_e670))));
-                                            let _e699 = bitcast<f32>((_e674 & bitcast<u32>(~(_e679))));
-                                            let _e703 = bitcast<f32>((_e683 & bitcast<u32>(~(_e688))));
-                                            let _e704 = bitcast<u32>((f32(bitcast<i32>((_e593 & 2097151u))) * _e636));
-                                            let _e709 = (bitcast<i32>((_e593 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e712 = bitcast<f32>((_e704 & bitcast<u32>(_e709)));
-                                            let _e713 = bitcast<u32>((f32(bitcast<i32>((_e601 & 2097151u))) * _e638));
-                                            let _e718 = (bitcast<i32>((_e601 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e721 = bitcast<f32>((_e713 & bitcast<u32>(_e718)));
-                                            let _e722 = bitcast<u32>((f32(bitcast<i32>((_e609 & 2097151u))) * _e640));
-                                            let _e727 = (bitcast<i32>((_e609 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e730 = bitcast<f32>((_e722 & bitcast<u32>(_e727)));
-                                            let _e734 = bitcast<f32>((_e704 & bitcast<u32>(~(_e709))));
-                                            let _e738 = bitcast<f32>((_e713 & bitcast<u32>(~(_e718))));
-                                            let _e742 = bitcast<f32>((_e722 & bitcast<u32>(~(_e727))));
-                                            let _e743 = (_e546.member.member.x + _e673);
-                                            let _e744 = (_e546.member.member.y + _e682);
-                                            let _e745 = (_e546.member.member.z + _e691);
-                                            let _e748 = (_e546.member.member_1.x - _e712);
-                                            let _e749 = (_e546.member.member_1.y - _e721);
-                                            let _e750 = (_e546.member.member_1.z - _e730);
-                                            let _e769 = (_e748 - _e743);
-                                            let _e770 = (_e749 - _e744);
-                                            let _e771 = (_e750 - _e745);
-                                            let _e773 = select(_e770, _e769, (_e769 > _e770));
-                                            let _e775 = select(_e771, _e773, (_e773 > _e771));
-                                            if (_e775 < (1024f * _e143)) {
-                                                phi_2593_ = 0u;
+                                            let _e606 = global_4.member[_e546.member_1][_e601];
+                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e630 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e631 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e633 = select(_e143, _e629, (_e629 > _e143));
+                                            let _e635 = select(_e143, _e630, (_e630 > _e143));
+                                            let _e637 = select(_e143, _e631, (_e631 > _e143));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e569 & 2097151u))) * _e633));
+                                            let _e667 = (bitcast<i32>((_e569 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e635));
+                                            let _e676 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                            let _e680 = bitcast<u32>((f32(bitcast<i32>((_e599 & 2097151u))) * _e637));
+                                            let _e685 = (bitcast<i32>((_e599 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e688 = bitcast<f32>((_e680 & bitcast<u32>(_e685)));
+                                            let _e692 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e696 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                            let _e700 = bitcast<f32>((_e680 & bitcast<u32>(~(_e685))));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e633));
+                                            let _e706 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e591 & 2097151u))) * _e635));
+                                            let _e715 = (bitcast<i32>((_e591 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                            let _e719 = bitcast<u32>((f32(bitcast<i32>((_e606 & 2097151u))) * _e637));
+                                            let _e724 = (bitcast<i32>((_e606 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e727 = bitcast<f32>((_e719 & bitcast<u32>(_e724)));
+                                            let _e731 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e735 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                            let _e739 = bitcast<f32>((_e719 & bitcast<u32>(~(_e724))));
+                                            let _e740 = (_e546.member.member.x + _e670);
+                                            let _e741 = (_e546.member.member.y + _e679);
+                                            let _e742 = (_e546.member.member.z + _e688);
+                                            let _e745 = (_e546.member.member_1.x - _e709);
+                                            let _e746 = (_e546.member.member_1.y - _e718);
+                                            let _e747 = (_e546.member.member_1.z - _e727);
+                                            let _e766 = (_e745 - _e740);
+                                            let _e767 = (_e746 - _e741);
+                                            let _e768 = (_e747 - _e742);
+                                            let _e770 = select(_e767, _e766, (_e766 > _e767));
+                                            let _e772 = select(_e768, _e770, (_e770 > _e768));
+                                            if (_e772 < (1024f * _e143)) {
+                                                phi_2450_ = 0u;
                                             } else {
-                                                phi_2593_ = select(2u, 1u, (_e775 < (2097152f * _e143)));
+                                                phi_2450_ = select(2u, 1u, (_e772 < (2097152f * _e143)));
                                             }
-                                            let _e782 = phi_2593_;
-                                            switch bitcast<i32>(_e782) {
+                                            let _e779 = phi_2450_;
+                                            switch bitcast<i32>(_e779) {
                                                 case 0: {
-                                                    phi_2599_ = 1u;
+                                                    phi_2456_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2599_ = 2u;
+                                                    phi_2456_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2599_ = 3u;
+                                                    phi_2456_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2599_ = u32();
+                                                    phi_2456_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e785 = phi_2599_;
-                                            let _e791 = global_4.member[_e546.member_1][0u];
-                                            let _e795 = global_4.member[_e546.member_1][2u];
-                                            let _e799 = global_4.member[_e546.member_1][4u];
-                                            let _e803 = global_4.member[_e546.member_1][6u];
-                                            let _e815 = (((_e795 >> bitcast<u32>(22i)) | ((_e799 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e803 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e816 = (_e791 & 268435455u);
-                                            let _e817 = (_e815 & 268435455u);
-                                            let _e820 = ((_e791 >> bitcast<u32>(28u)) & 7u);
-                                            let _e828 = ((_e791 >> bitcast<u32>(31i)) | (((_e815 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e829 = (_e820 != 0u);
-                                            if (_e820 == 0u) {
-                                                phi_2854_ = _e816;
+                                            let _e782 = phi_2456_;
+                                            let _e788 = global_4.member[_e546.member_1][0u];
+                                            let _e792 = global_4.member[_e546.member_1][2u];
+                                            let _e796 = global_4.member[_e546.member_1][4u];
+                                            let _e800 = global_4.member[_e546.member_1][6u];
+                                            let _e812 = (((_e792 >> bitcast<u32>(22i)) | ((_e796 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e813 = (_e788 & 268435455u);
+                                            let _e814 = (_e812 & 268435455u);
+                                            let _e817 = ((_e788 >> bitcast<u32>(28u)) & 7u);
+                                            let _e825 = ((_e788 >> bitcast<u32>(31i)) | (((_e812 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e826 = (_e817 != 0u);
+                                            if (_e817 == 0u) {
+                                                phi_2711_ = _e813;
                                             } else {
-                                                if (_e820 == 7u) {
-                                                    phi_2853_ = 2147483648u;
+                                                if (_e817 == 7u) {
+                                                    phi_2710_ = 2147483648u;
                                                 } else {
-                                                    phi_2853_ = ((2147483648u | (_e820 << bitcast<u32>(28u))) | (_e817 & 268435455u));
+                                                    phi_2710_ = ((2147483648u | (_e817 << bitcast<u32>(28u))) | (_e814 & 268435455u));
                                                 }
-                                                let _e838 = phi_2853_;
-                                                phi_2854_ = _e838;
+                                                let _e835 = phi_2710_;
+                                                phi_2711_ = _e835;
                                             }
-                                            let _e840 = phi_2854_;
-                                            if _e829 {
-                                                let _e841 = (_e820 != 7u);
-                                                if _e841 {
-                                                    phi_2864_ = (_e817 + (_e820 * ((3u * _e785) + 1u)));
+                                            let _e837 = phi_2711_;
+                                            if _e826 {
+                                                let _e838 = (_e817 != 7u);
+                                                if _e838 {
+                                                    phi_2721_ = (_e814 + (_e817 * ((3u * _e782) + 1u)));
                                                 } else {
-                                                    phi_2864_ = u32();
+                                                    phi_2721_ = u32();
                                                 }
-                                                let _e845 = phi_2864_;
-                                                phi_2866_ = _e845;
-                                                phi_2867_ = select(true, false, _e841);
+                                                let _e842 = phi_2721_;
+                                                phi_2723_ = _e842;
+                                                phi_2724_ = select(true, false, _e838);
                                             } else {
-                                                phi_2866_ = u32();
-                                                phi_2867_ = true;
+                                                phi_2723_ = u32();
+                                                phi_2724_ = true;
                                             }
-                                            let _e848 = phi_2866_;
-                                            let _e850 = phi_2867_;
-                                            if (_e828 == 0u) {
-                                                phi_2888_ = (_e816 + select(0u, 1u, !(_e829)));
+                                            let _e845 = phi_2723_;
+                                            let _e847 = phi_2724_;
+                                            if (_e825 == 0u) {
+                                                phi_2745_ = (_e813 + select(0u, 1u, !(_e826)));
                                             } else {
-                                                if (_e828 == 7u) {
-                                                    phi_2887_ = 2147483648u;
+                                                if (_e825 == 7u) {
+                                                    phi_2744_ = 2147483648u;
                                                 } else {
-                                                    phi_2887_ = ((2147483648u | (_e828 << bitcast<u32>(28u))) | (select(_e848, _e817, _e850) & 268435455u));
+                                                    phi_2744_ = ((2147483648u | (_e825 << bitcast<u32>(28u))) | (select(_e845, _e814, _e847) & 268435455u));
                                                 }
-                                                let _e863 = phi_2887_;
-                                                phi_2888_ = _e863;
+                                                let _e860 = phi_2744_;
+                                                phi_2745_ = _e860;
                                             }
-                                            let _e865 = phi_2888_;
-                                            phi_2892_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e743, (_e546.member.member.x + _e695), _e748, (_e546.member.member_1.x - _e734)), vec4<f32>(_e744, (_e546.member.member.y + _e699), _e749, (_e546.member.member_1.y - _e738)), vec4<f32>(_e745, (_e546.member.member.z + _e703), _e750, (_e546.member.member_1.z - _e742))), type_53(type_28((_e546.member.member + vec4<f32>(_e673, _e682, _e691, 0f)), (_e546.member.member_1 - vec4<f32>(_e712, _e721, _e730, 0f))), _e840), type_53(type_28((_e546.member.member + vec4<f32>(_e695, _e699, _e703, 0f)), (_e546.member.member_1 - vec4<f32>(_e734, _e738, _e742, 0f))), _e865));
+                                            let _e862 = phi_2745_;
+                                            phi_2749_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e740, (_e546.member.member.x + _e692), _e745, (_e546.member.member_1.x - _e731)), vec4<f32>(_e741, (_e546.member.member.y + _e696), _e746, (_e546.member.member_1.y - _e735)), vec4<f32>(_e742, (_e546.member.member.z + _e700), _e747, (_e546.member.member_1.z - _e739))), type_53(type_28((_e546.member.member + vec4<f32>(_e670, _e679, _e688, 0f)), (_e546.member.member_1 - vec4<f32>(_e709, _e718, _e727, 0f))), _e837), type_53(type_28((_e546.member.member + vec4<f32>(_e692, _e696, _e700, 0f)), (_e546.member.member_1 - vec4<f32>(_e731, _e735, _e739, 0f))), _e862));
                                         }
-                                        let _e870 = phi_2892_;
-                                        let _e882 = ((_e870.member[0].x - _e335) * _e340);
-                                        let _e883 = ((_e870.member[0].y - _e335) * _e340);
-                                        let _e884 = ((_e870.member[0].z - _e336) * _e340);
-                                        let _e885 = ((_e870.member[0].w - _e336) * _e340);
-                                        let _e895 = ((_e870.member[1].x - _e373) * _e378);
-                                        let _e896 = ((_e870.member[1].y - _e373) * _e378);
-                                        let _e897 = ((_e870.member[1].z - _e374) * _e378);
-                                        let _e898 = ((_e870.member[1].w - _e374) * _e378);
-                                        let _e908 = ((_e870.member[2].x - _e411) * _e416);
-                                        let _e909 = ((_e870.member[2].y - _e411) * _e416);
-                                        let _e910 = ((_e870.member[2].z - _e412) * _e416);
-                                        let _e911 = ((_e870.member[2].w - _e412) * _e416);
-                                        let _e913 = select(_e910, _e908, (_e908 < _e910));
-                                        let _e915 = select(_e911, _e909, (_e909 < _e911));
-                                        let _e917 = select(_e910, _e908, (_e908 > _e910));
-                                        let _e919 = select(_e911, _e909, (_e909 > _e911));
-                                        let _e921 = select(_e884, _e882, (_e882 < _e884));
-                                        let _e923 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e925 = select(_e897, _e895, (_e895 < _e897));
-                                        let _e927 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e929 = select(_e925, _e921, (_e921 > _e925));
-                                        let _e931 = select(_e927, _e923, (_e923 > _e927));
-                                        let _e933 = select(_e913, _e929, (_e929 > _e913));
-                                        let _e935 = select(_e915, _e931, (_e931 > _e915));
-                                        let _e937 = select(_e884, _e882, (_e882 > _e884));
-                                        let _e939 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e941 = select(_e897, _e895, (_e895 > _e897));
-                                        let _e943 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e945 = select(_e941, _e937, (_e937 < _e941));
-                                        let _e947 = select(_e943, _e939, (_e939 < _e943));
-                                        let _e952 = -(_e913);
-                                        let _e953 = -(_e915);
-                                        let _e960 = (select(_e917, _e945, (_e945 < _e917)) + (select(_e952, _e917, (_e917 > _e952)) * 0.0000019073523f));
-                                        let _e961 = (select(_e919, _e947, (_e947 < _e919)) + (select(_e953, _e919, (_e919 > _e953)) * 0.0000019073523f));
-                                        let _e963 = select(_e463, _e933, (_e933 > _e463));
-                                        let _e965 = select(_e463, _e935, (_e935 > _e463));
-                                        let _e970 = (_e963 <= select(_e507.member_1, _e960, (_e960 < _e507.member_1)));
-                                        let _e971 = (_e965 <= select(_e507.member_1, _e961, (_e961 < _e507.member_1)));
-                                        let _e972 = (_e963 <= _e965);
-                                        if _e970 {
-                                            if _e971 {
-                                                if _e972 {
-                                                    phi_3236_ = _e870.member_2;
+                                        let _e867 = phi_2749_;
+                                        let _e879 = ((_e867.member[0].x - _e335) * _e340);
+                                        let _e880 = ((_e867.member[0].y - _e335) * _e340);
+                                        let _e881 = ((_e867.member[0].z - _e336) * _e340);
+                                        let _e882 = ((_e867.member[0].w - _e336) * _e340);
+                                        let _e892 = ((_e867.member[1].x - _e373) * _e378);
+                                        let _e893 = ((_e867.member[1].y - _e373) * _e378);
+                                        let _e894 = ((_e867.member[1].z - _e374) * _e378);
+                                        let _e895 = ((_e867.member[1].w - _e374) * _e378);
+                                        let _e905 = ((_e867.member[2].x - _e411) * _e416);
+                                        let _e906 = ((_e867.member[2].y - _e411) * _e416);
+                                        let _e907 = ((_e867.member[2].z - _e412) * _e416);
+                                        let _e908 = ((_e867.member[2].w - _e412) * _e416);
+                                        let _e910 = select(_e907, _e905, (_e905 < _e907));
+                                        let _e912 = select(_e908, _e906, (_e906 < _e908));
+                                        let _e914 = select(_e907, _e905, (_e905 > _e907));
+                                        let _e916 = select(_e908, _e906, (_e906 > _e908));
+                                        let _e918 = select(_e881, _e879, (_e879 < _e881));
+                                        let _e920 = select(_e882, _e880, (_e880 < _e882));
+                                        let _e922 = select(_e894, _e892, (_e892 < _e894));
+                                        let _e924 = select(_e895, _e893, (_e893 < _e895));
+                                        let _e926 = select(_e922, _e918, (_e918 > _e922));
+                                        let _e928 = select(_e924, _e920, (_e920 > _e924));
+                                        let _e930 = select(_e910, _e926, (_e926 > _e910));
+                                        let _e932 = select(_e912, _e928, (_e928 > _e912));
+                                        let _e934 = select(_e881, _e879, (_e879 > _e881));
+                                        let _e936 = select(_e882, _e880, (_e880 > _e882));
+                                        let _e938 = select(_e894, _e892, (_e892 > _e894));
+                                        let _e940 = select(_e895, _e893, (_e893 > _e895));
+                                        let _e942 = select(_e938, _e934, (_e934 < _e938));
+                                        let _e944 = select(_e940, _e936, (_e936 < _e940));
+                                        let _e949 = -(_e910);
+                                        let _e950 = -(_e912);
+                                        let _e957 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e949, _e914, (_e914 > _e949)) * 0.0000019073523f));
+                                        let _e958 = (select(_e916, _e944, (_e944 < _e916)) + (select(_e950, _e916, (_e916 > _e950)) * 0.0000019073523f));
+                                        let _e960 = select(_e463, _e930, (_e930 > _e463));
+                                        let _e962 = select(_e463, _e932, (_e932 > _e463));
+                                        let _e967 = (_e960 <= select(_e507.member_1, _e957, (_e957 < _e507.member_1)));
+                                        let _e968 = (_e962 <= select(_e507.member_1, _e958, (_e958 < _e507.member_1)));
+                                        let _e969 = (_e960 <= _e962);
+                                        if _e967 {
+                                            if _e968 {
+                                                if _e969 {
+                                                    phi_3093_ = _e867.member_2;
                                                 } else {
-                                                    phi_3236_ = _e870.member_1;
+                                                    phi_3093_ = _e867.member_1;
                                                 }
-                                                let _e976 = phi_3236_;
-                                                let _e998 = (_e550 % 128u);
-                                                let _e999 = (_e998 < 128u);
-                                                if _e999 {
+                                                let _e973 = phi_3093_;
+                                                let _e995 = (_e550 % 128u);
+                                                let _e996 = (_e995 < 128u);
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_8[_e998] = _e976.member_1;
-                                                if _e999 {
+                                                local_8[_e995] = _e973.member_1;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_7[_e998] = _e976.member.member.x;
-                                                if _e999 {
+                                                local_7[_e995] = _e973.member.member.x;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_6[_e998] = _e976.member.member.y;
-                                                if _e999 {
+                                                local_6[_e995] = _e973.member.member.y;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_5[_e998] = _e976.member.member.z;
-                                                if _e999 {
+                                                local_5[_e995] = _e973.member.member.z;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_4[_e998] = _e976.member.member_1.x;
-                                                if _e999 {
+                                                local_4[_e995] = _e973.member.member_1.x;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_3[_e998] = _e976.member.member_1.y;
-                                                if _e999 {
+                                                local_3[_e995] = _e973.member.member_1.y;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_2[_e998] = _e976.member.member_1.z;
-                                                if _e999 {
+                                                local_2[_e995] = _e973.member.member_1.z;
+                                                if _e996 {
                                                 } else {
-                                                    phi_3743_ = true;
+                                                    phi_3600_ = true;
                                                     break;
                                                 }
-                                                local_9[_e998] = select(_e965, _e963, (_e963 > _e965));
-                                                if _e972 {
-                                                    phi_3313_ = _e870.member_1;
+                                                local_9[_e995] = select(_e962, _e960, (_e960 > _e962));
+                                                if _e969 {
+                                                    phi_3170_ = _e867.member_1;
                                                 } else {
-                                                    phi_3313_ = _e870.member_2;
+                                                    phi_3170_ = _e867.member_2;
                                                 }
-                                                let _e1012 = phi_3313_;
-                                                phi_3314_ = _e1012;
-                                                phi_3315_ = (_e550 + 1u);
+                                                let _e1009 = phi_3170_;
+                                                phi_3171_ = _e1009;
+                                                phi_3172_ = (_e550 + 1u);
                                             } else {
-                                                phi_3314_ = type_53();
-                                                phi_3315_ = u32();
+                                                phi_3171_ = type_53();
+                                                phi_3172_ = u32();
                                             }
-                                            let _e1014 = phi_3314_;
-                                            let _e1016 = phi_3315_;
-                                            phi_3317_ = _e1014;
-                                            phi_3318_ = _e1016;
-                                            phi_3319_ = select(true, false, _e971);
+                                            let _e1011 = phi_3171_;
+                                            let _e1013 = phi_3172_;
+                                            phi_3174_ = _e1011;
+                                            phi_3175_ = _e1013;
+                                            phi_3176_ = select(true, false, _e968);
                                         } else {
-                                            phi_3317_ = type_53();
-                                            phi_3318_ = u32();
-                                            phi_3319_ = true;
+                                            phi_3174_ = type_53();
+                                            phi_3175_ = u32();
+                                            phi_3176_ = true;
                                         }
-                                        let _e1019 = phi_3317_;
-                                        let _e1021 = phi_3318_;
-                                        let _e1023 = phi_3319_;
-                                        if _e1023 {
-                                            if _e970 {
-                                                phi_3328_ = _e870.member_1;
+                                        let _e1016 = phi_3174_;
+                                        let _e1018 = phi_3175_;
+                                        let _e1020 = phi_3176_;
+                                        if _e1020 {
+                                            if _e967 {
+                                                phi_3185_ = _e867.member_1;
                                             } else {
-                                                phi_3328_ = _e870.member_2;
+                                                phi_3185_ = _e867.member_2;
                                             }
-                                            let _e1027 = phi_3328_;
-                                            phi_3333_ = _e1027;
-                                            phi_3334_ = select(_e971, true, _e970);
+                                            let _e1024 = phi_3185_;
+                                            phi_3190_ = _e1024;
+                                            phi_3191_ = select(_e968, true, _e967);
                                         } else {
-                                            phi_3333_ = _e1019;
-                                            phi_3334_ = _e548;
+                                            phi_3190_ = _e1016;
+                                            phi_3191_ = _e548;
                                         }
-                                        let _e1030 = phi_3333_;
-                                        let _e1032 = phi_3334_;
-                                        phi_3747_ = _e505;
-                                        phi_3336_ = _e507;
-                                        phi_3337_ = _e1030;
-                                        phi_3338_ = _e1032;
-                                        phi_3339_ = select(_e1021, _e550, _e1023);
+                                        let _e1027 = phi_3190_;
+                                        let _e1029 = phi_3191_;
+                                        phi_3604_ = _e505;
+                                        phi_3193_ = _e507;
+                                        phi_3194_ = _e1027;
+                                        phi_3195_ = _e1029;
+                                        phi_3196_ = select(_e1018, _e550, _e1020);
                                     }
-                                    let _e1551 = phi_3747_;
-                                    let _e1553 = phi_3336_;
-                                    let _e1555 = phi_3337_;
-                                    let _e1557 = phi_3338_;
-                                    let _e1559 = phi_3339_;
-                                    phi_3746_ = _e1551;
-                                    phi_3340_ = _e1553;
-                                    phi_3341_ = _e1555;
-                                    phi_3342_ = (_e511 - 1u);
-                                    phi_3343_ = _e1557;
-                                    phi_3344_ = _e1559;
+                                    let _e1548 = phi_3604_;
+                                    let _e1550 = phi_3193_;
+                                    let _e1552 = phi_3194_;
+                                    let _e1554 = phi_3195_;
+                                    let _e1556 = phi_3196_;
+                                    phi_3603_ = _e1548;
+                                    phi_3197_ = _e1550;
+                                    phi_3198_ = _e1552;
+                                    phi_3199_ = (_e511 - 1u);
+                                    phi_3200_ = _e1554;
+                                    phi_3201_ = _e1556;
                                 } else {
-                                    phi_3746_ = _e505;
-                                    phi_3340_ = _e507;
-                                    phi_3341_ = _e546;
-                                    phi_3342_ = _e511;
-                                    phi_3343_ = _e548;
-                                    phi_3344_ = _e550;
+                                    phi_3603_ = _e505;
+                                    phi_3197_ = _e507;
+                                    phi_3198_ = _e546;
+                                    phi_3199_ = _e511;
+                                    phi_3200_ = _e548;
+                                    phi_3201_ = _e550;
                                 }
-                                let _e1561 = phi_3746_;
-                                let _e1563 = phi_3340_;
-                                let _e1565 = phi_3341_;
-                                let _e1567 = phi_3342_;
-                                let _e1569 = phi_3343_;
-                                let _e1571 = phi_3344_;
-                                phi_3745_ = _e1561;
-                                phi_3345_ = _e1563;
-                                phi_3346_ = _e1565;
-                                phi_3347_ = _e1567;
-                                phi_3348_ = _e1569;
-                                phi_3349_ = _e1571;
+                                let _e1558 = phi_3603_;
+                                let _e1560 = phi_3197_;
+                                let _e1562 = phi_3198_;
+                                let _e1564 = phi_3199_;
+                                let _e1566 = phi_3200_;
+                                let _e1568 = phi_3201_;
+                                phi_3602_ = _e1558;
+                                phi_3202_ = _e1560;
+                                phi_3203_ = _e1562;
+                                phi_3204_ = _e1564;
+                                phi_3205_ = _e1566;
+                                phi_3206_ = _e1568;
                             } else {
-                                phi_3745_ = _e505;
-                                phi_3345_ = type_33();
-                                phi_3346_ = type_53();
-                                phi_3347_ = u32();
-                                phi_3348_ = bool();
-                                phi_3349_ = u32();
+                                phi_3602_ = _e505;
+                                phi_3202_ = type_33();
+                                phi_3203_ = type_53();
+                                phi_3204_ = u32();
+                                phi_3205_ = bool();
+                                phi_3206_ = u32();
                             }
-                            let _e1573 = phi_3745_;
-                            let _e1575 = phi_3345_;
-                            let _e1577 = phi_3346_;
-                            let _e1579 = phi_3347_;
-                            let _e1581 = phi_3348_;
-                            let _e1583 = phi_3349_;
-                            phi_3744_ = _e1573;
-                            phi_862_ = _e1575;
-                            phi_865_ = _e1577;
-                            phi_867_ = _e1579;
-                            phi_869_ = _e1581;
-                            phi_871_ = _e1583;
-                            phi_3350_ = _e519;
+                            let _e1570 = phi_3602_;
+                            let _e1572 = phi_3202_;
+                            let _e1574 = phi_3203_;
+                            let _e1576 = phi_3204_;
+                            let _e1578 = phi_3205_;
+                            let _e1580 = phi_3206_;
+                            phi_3601_ = _e1570;
+                            phi_861_ = _e1572;
+                            phi_864_ = _e1574;
+                            phi_866_ = _e1576;
+                            phi_868_ = _e1578;
+                            phi_870_ = _e1580;
+                            phi_3207_ = _e519;
                         } else {
-                            phi_3744_ = _e505;
-                            phi_862_ = type_33();
-                            phi_865_ = type_53();
-                            phi_867_ = u32();
-                            phi_869_ = bool();
-                            phi_871_ = u32();
-                            phi_3350_ = false;
+                            phi_3601_ = _e505;
+                            phi_861_ = type_33();
+                            phi_864_ = type_53();
+                            phi_866_ = u32();
+                            phi_868_ = bool();
+                            phi_870_ = u32();
+                            phi_3207_ = false;
                         }
-                        let _e1585 = phi_3744_;
-                        let _e1587 = phi_862_;
-                        let _e1589 = phi_865_;
-                        let _e1591 = phi_867_;
-                        let _e1593 = phi_869_;
-                        let _e1595 = phi_871_;
-                        let _e1597 = phi_3350_;
+                        let _e1582 = phi_3601_;
+                        let _e1584 = phi_861_;
+                        let _e1586 = phi_864_;
+                        let _e1588 = phi_866_;
+                        let _e1590 = phi_868_;
+                        let _e1592 = phi_870_;
+                        let _e1594 = phi_3207_;
                         continue;
                         continuing {
-                            phi_3629_ = _e1585;
-                            phi_861_ = _e1587;
-                            phi_864_ = _e1589;
-                            phi_866_ = _e1591;
-                            phi_868_ = _e1593;
-                            phi_870_ = _e1595;
-                            phi_3743_ = _e1585;
-                            break if !(_e1597);
+                            phi_3486_ = _e1582;
+                            phi_860_ = _e1584;
+                            phi_863_ = _e1586;
+                            phi_865_ = _e1588;
+                            phi_867_ = _e1590;
+                            phi_869_ = _e1592;
+                            phi_3600_ = _e1582;
+                            break if !(_e1594);
                         }
                     }
-                    let _e1600 = phi_3743_;
-                    if _e1600 {
+                    let _e1597 = phi_3600_;
+                    if _e1597 {
                         break;
                     }
-                    let _e1602 = local_13;
-                    if (_e1602.member.member_3 != 4294967295u) {
-                        let _e1607 = -(_e430);
-                        let _e1608 = (_e1607 / 3i);
-                        let _e1615 = bitcast<f32>((bitcast<u32>((_e1608 + 127i)) << bitcast<u32>(23i)));
-                        let _e1623 = (((_e1602.member.member * _e1615) * _e1615) * bitcast<f32>((bitcast<u32>(((_e1607 - (2i * _e1608)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1625 = select(340282350000000000000000000000000000000f, _e1623, (_e1623 < 340282350000000000000000000000000000000f));
-                        phi_3402_ = type_20(select(-340282350000000000000000000000000000000f, _e1625, (_e1625 > -340282350000000000000000000000000000000f)), _e1602.member.member_1, _e1602.member.member_2, _e1602.member.member_3);
+                    let _e1599 = local_13;
+                    if (_e1599.member.member_3 != 4294967295u) {
+                        let _e1604 = -(_e430);
+                        let _e1605 = (_e1604 / 3i);
+                        let _e1612 = bitcast<f32>((bitcast<u32>((_e1605 + 127i)) << bitcast<u32>(23i)));
+                        let _e1620 = (((_e1599.member.member * _e1612) * _e1612) * bitcast<f32>((bitcast<u32>(((_e1604 - (2i * _e1605)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1622 = select(340282350000000000000000000000000000000f, _e1620, (_e1620 < 340282350000000000000000000000000000000f));
+                        phi_3259_ = type_20(select(-340282350000000000000000000000000000000f, _e1622, (_e1622 > -340282350000000000000000000000000000000f)), _e1599.member.member_1, _e1599.member.member_2, _e1599.member.member_3);
                     } else {
-                        phi_3402_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3259_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1632 = phi_3402_;
+                    let _e1629 = phi_3259_;
                     if _e151 {
                     } else {
                         break;
                     }
-                    global_6.member[_e149] = _e1632;
+                    global_6.member[_e149] = _e1629;
                 }
             }
             break;

@@ -86,157 +86,157 @@ fn function_() {
     var local_11: array<u32, 3>;
     var local_12: array<array<f32, 3>, 3>;
     var local_13: array<f32, 4>;
+    var phi_410_: i32;
     var phi_411_: i32;
-    var phi_412_: i32;
-    var phi_422_: bool;
+    var phi_421_: bool;
+    var phi_431_: u32;
     var phi_432_: u32;
-    var phi_433_: u32;
-    var phi_435_: bool;
-    var phi_440_: u32;
-    var phi_453_: i32;
-    var phi_473_: i32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_508_: f32;
-    var phi_514_: f32;
-    var phi_537_: f32;
-    var phi_548_: f32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_603_: f32;
-    var phi_614_: f32;
-    var phi_623_: f32;
-    var phi_629_: f32;
-    var phi_640_: f32;
-    var phi_646_: f32;
-    var phi_669_: f32;
-    var phi_680_: f32;
+    var phi_434_: bool;
+    var phi_439_: u32;
+    var phi_452_: i32;
+    var phi_472_: i32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_507_: f32;
+    var phi_513_: f32;
+    var phi_536_: f32;
+    var phi_547_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_602_: f32;
+    var phi_613_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_668_: f32;
+    var phi_679_: f32;
+    var phi_779_: f32;
     var phi_780_: f32;
-    var phi_781_: f32;
-    var phi_3954_: bool;
-    var phi_3853_: f32;
+    var phi_3796_: bool;
+    var phi_3710_: f32;
+    var phi_922_: type_55;
+    var phi_925_: u32;
+    var phi_927_: bool;
+    var phi_929_: u32;
+    var phi_940_: bool;
+    var phi_1027_: type_55;
+    var phi_1028_: bool;
+    var phi_1029_: u32;
+    var phi_2579_: u32;
+    var phi_2585_: u32;
+    var phi_2839_: u32;
+    var phi_2840_: u32;
+    var phi_2850_: u32;
+    var phi_2852_: u32;
+    var phi_2853_: bool;
+    var phi_2873_: u32;
+    var phi_2874_: u32;
+    var phi_2878_: type_56;
+    var phi_3223_: type_55;
+    var phi_3300_: type_55;
+    var phi_3301_: type_55;
+    var phi_3302_: u32;
+    var phi_3304_: type_55;
+    var phi_3305_: u32;
+    var phi_3306_: bool;
+    var phi_3315_: type_55;
+    var phi_3320_: type_55;
+    var phi_3321_: bool;
+    var phi_3868_: f32;
+    var phi_3793_: bool;
+    var phi_1048_: type_8;
+    var phi_1049_: type_8;
+    var phi_1072_: type_8;
+    var phi_1113_: u32;
+    var phi_1119_: u32;
+    var phi_1129_: u32;
+    var phi_1145_: u32;
+    var phi_1182_: u32;
+    var phi_1188_: u32;
+    var phi_1198_: u32;
+    var phi_3778_: bool;
+    var phi_1214_: type_8;
+    var phi_1215_: type_8;
+    var phi_1238_: type_8;
+    var phi_1261_: u32;
+    var phi_1276_: u32;
+    var phi_1279_: type_8;
+    var phi_1280_: type_8;
+    var phi_1303_: type_8;
+    var phi_1369_: u32;
+    var phi_1349_: u32;
+    var phi_1350_: u32;
+    var phi_1373_: f32;
+    var phi_3771_: bool;
+    var phi_3850_: bool;
+    var phi_3849_: bool;
+    var phi_1874_: vec3<f32>;
+    var phi_1875_: vec3<f32>;
+    var phi_1906_: bool;
+    var phi_1915_: vec3<f32>;
+    var phi_1955_: type_24;
+    var phi_1957_: type_24;
+    var phi_1958_: bool;
+    var phi_1962_: type_24;
+    var phi_1963_: type_24;
+    var phi_1964_: type_24;
+    var phi_1965_: bool;
+    var phi_1969_: type_24;
+    var phi_1970_: bool;
+    var phi_1974_: type_24;
+    var phi_1975_: bool;
+    var phi_1979_: type_24;
+    var phi_1991_: type_8;
+    var phi_1994_: type_24;
+    var phi_1992_: type_8;
+    var phi_2017_: type_8;
+    var phi_2049_: bool;
+    var phi_2050_: bool;
+    var phi_2071_: type_24;
+    var phi_1995_: type_24;
+    var phi_3880_: bool;
+    var phi_4149_: f32;
+    var phi_4148_: f32;
+    var phi_3942_: bool;
+    var phi_4147_: f32;
+    var phi_3941_: bool;
+    var phi_4146_: f32;
+    var phi_3940_: bool;
+    var phi_4086_: f32;
+    var phi_3939_: bool;
+    var phi_4051_: f32;
+    var phi_3948_: bool;
+    var phi_3323_: type_55;
+    var phi_3324_: bool;
+    var phi_3325_: u32;
+    var phi_4050_: f32;
+    var phi_3947_: bool;
+    var phi_3326_: type_55;
+    var phi_3327_: u32;
+    var phi_3328_: bool;
+    var phi_3329_: u32;
+    var phi_4049_: f32;
+    var phi_3946_: bool;
+    var phi_3330_: type_55;
+    var phi_3331_: u32;
+    var phi_3332_: bool;
+    var phi_3333_: u32;
+    var phi_4048_: f32;
+    var phi_3945_: bool;
     var phi_923_: type_55;
     var phi_926_: u32;
     var phi_928_: bool;
     var phi_930_: u32;
-    var phi_941_: bool;
-    var phi_1028_: type_55;
-    var phi_1029_: bool;
-    var phi_1030_: u32;
-    var phi_2722_: u32;
-    var phi_2728_: u32;
-    var phi_2982_: u32;
-    var phi_2983_: u32;
-    var phi_2993_: u32;
-    var phi_2995_: u32;
-    var phi_2996_: bool;
-    var phi_3016_: u32;
-    var phi_3017_: u32;
-    var phi_3021_: type_56;
-    var phi_3366_: type_55;
-    var phi_3443_: type_55;
-    var phi_3444_: type_55;
-    var phi_3445_: u32;
-    var phi_3447_: type_55;
-    var phi_3448_: u32;
-    var phi_3449_: bool;
-    var phi_3458_: type_55;
-    var phi_3463_: type_55;
-    var phi_3464_: bool;
-    var phi_4026_: f32;
-    var phi_3951_: bool;
-    var phi_1049_: type_8;
-    var phi_1050_: type_8;
-    var phi_1073_: type_8;
-    var phi_1114_: u32;
-    var phi_1120_: u32;
-    var phi_1130_: u32;
-    var phi_1146_: u32;
-    var phi_1183_: u32;
-    var phi_1189_: u32;
-    var phi_1199_: u32;
-    var phi_3936_: bool;
-    var phi_1215_: type_8;
-    var phi_1216_: type_8;
-    var phi_1239_: type_8;
-    var phi_1262_: u32;
-    var phi_1277_: u32;
-    var phi_1280_: type_8;
-    var phi_1281_: type_8;
-    var phi_1304_: type_8;
-    var phi_1370_: u32;
-    var phi_1350_: u32;
-    var phi_1351_: u32;
-    var phi_1374_: f32;
-    var phi_3929_: bool;
-    var phi_4008_: bool;
-    var phi_4007_: bool;
-    var phi_1875_: vec3<f32>;
-    var phi_1876_: vec3<f32>;
-    var phi_1907_: bool;
-    var phi_1916_: vec3<f32>;
-    var phi_1956_: type_24;
-    var phi_1958_: type_24;
-    var phi_1959_: bool;
-    var phi_1963_: type_24;
-    var phi_1964_: type_24;
-    var phi_1965_: type_24;
-    var phi_1966_: bool;
-    var phi_1970_: type_24;
-    var phi_1971_: bool;
-    var phi_1975_: type_24;
-    var phi_1976_: bool;
-    var phi_1980_: type_24;
-    var phi_1992_: type_8;
-    var phi_1995_: type_24;
-    var phi_1993_: type_8;
-    var phi_2018_: type_8;
-    var phi_2050_: bool;
-    var phi_2051_: bool;
-    var phi_2072_: type_24;
-    var phi_1996_: type_24;
-    var phi_4038_: bool;
-    var phi_4322_: f32;
-    var phi_4321_: f32;
-    var phi_4100_: bool;
-    var phi_4320_: f32;
-    var phi_4099_: bool;
-    var phi_4319_: f32;
-    var phi_4098_: bool;
-    var phi_4259_: f32;
-    var phi_4097_: bool;
-    var phi_4224_: f32;
-    var phi_4106_: bool;
-    var phi_3466_: type_55;
-    var phi_3467_: bool;
-    var phi_3468_: u32;
-    var phi_4223_: f32;
-    var phi_4105_: bool;
-    var phi_3469_: type_55;
-    var phi_3470_: u32;
-    var phi_3471_: bool;
-    var phi_3472_: u32;
-    var phi_4222_: f32;
-    var phi_4104_: bool;
-    var phi_3473_: type_55;
-    var phi_3474_: u32;
-    var phi_3475_: bool;
-    var phi_3476_: u32;
-    var phi_4221_: f32;
-    var phi_4103_: bool;
-    var phi_924_: type_55;
-    var phi_927_: u32;
-    var phi_929_: bool;
-    var phi_931_: u32;
-    var phi_3477_: bool;
-    var phi_4102_: bool;
-    var phi_3484_: type_8;
-    var phi_3485_: type_8;
-    var phi_3508_: type_8;
-    var phi_3574_: type_24;
-    var phi_4214_: bool;
+    var phi_3334_: bool;
+    var phi_3944_: bool;
+    var phi_3341_: type_8;
+    var phi_3342_: type_8;
+    var phi_3365_: type_8;
+    var phi_3431_: type_24;
+    var phi_4041_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -288,199 +288,199 @@ fn function_() {
                     if _e230 {
                         let _e233 = (bitcast<u32>(bitcast<f32>(_e205)) & 2147483647u);
                         if (_e233 >= 8388608u) {
-                            phi_411_ = (bitcast<i32>((_e233 >> bitcast<u32>(23i))) - 127i);
+                            phi_410_ = (bitcast<i32>((_e233 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_411_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e233)), 32u, (_e233 == 0u))));
+                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e233)), 32u, (_e233 == 0u))));
                         }
-                        let _e247 = phi_411_;
-                        phi_412_ = _e247;
+                        let _e247 = phi_410_;
+                        phi_411_ = _e247;
                     } else {
-                        phi_412_ = 0i;
+                        phi_411_ = 0i;
                     }
-                    let _e249 = phi_412_;
+                    let _e249 = phi_411_;
                     let _e250 = (_e166 == _e205);
                     if _e250 {
-                        phi_422_ = true;
+                        phi_421_ = true;
                     } else {
-                        phi_422_ = (_e173 == _e205);
+                        phi_421_ = (_e173 == _e205);
                     }
-                    let _e253 = phi_422_;
+                    let _e253 = phi_421_;
                     let _e254 = select(1u, 0u, _e250);
                     if _e253 {
                         let _e255 = (_e254 + 1u);
+                        phi_431_ = _e255;
                         phi_432_ = _e255;
-                        phi_433_ = _e255;
-                        phi_435_ = select(true, false, (_e255 == 2u));
+                        phi_434_ = select(true, false, (_e255 == 2u));
                     } else {
-                        phi_432_ = u32();
-                        phi_433_ = 0u;
-                        phi_435_ = true;
+                        phi_431_ = u32();
+                        phi_432_ = 0u;
+                        phi_434_ = true;
                     }
-                    let _e259 = phi_432_;
-                    let _e261 = phi_433_;
-                    let _e263 = phi_435_;
+                    let _e259 = phi_431_;
+                    let _e261 = phi_432_;
+                    let _e263 = phi_434_;
                     if _e263 {
-                        phi_440_ = (_e261 + 1u);
+                        phi_439_ = (_e261 + 1u);
                     } else {
-                        phi_440_ = 0u;
+                        phi_439_ = 0u;
                     }
-                    let _e267 = phi_440_;
+                    let _e267 = phi_439_;
                     let _e268 = select(_e259, _e261, _e263);
                     let _e269 = select(_e254, select(2u, _e254, _e253), _e263);
                     if (_e136 < -126i) {
-                        phi_453_ = -126i;
+                        phi_452_ = -126i;
                     } else {
-                        phi_453_ = select(_e136, 127i, (_e136 > 127i));
+                        phi_452_ = select(_e136, 127i, (_e136 > 127i));
                     }
-                    let _e274 = phi_453_;
+                    let _e274 = phi_452_;
                     let _e279 = bitcast<f32>((bitcast<u32>((_e274 + 127i)) << bitcast<u32>(23i)));
                     let _e285 = bitcast<f32>((bitcast<u32>(((_e136 - _e274) + 127i)) << bitcast<u32>(23i)));
                     let _e286 = -(_e249);
                     if (_e286 < -126i) {
-                        phi_473_ = -126i;
+                        phi_472_ = -126i;
                     } else {
-                        phi_473_ = select(_e286, 127i, (_e286 > 127i));
+                        phi_472_ = select(_e286, 127i, (_e286 > 127i));
                     }
-                    let _e291 = phi_473_;
+                    let _e291 = phi_472_;
                     let _e296 = bitcast<f32>((bitcast<u32>((_e291 + 127i)) << bitcast<u32>(23i)));
                     let _e302 = bitcast<f32>((bitcast<u32>(((_e286 - _e291) + 127i)) << bitcast<u32>(23i)));
                     let _e306 = global_4.member[_e154].member;
                     let _e307 = (_e268 == 0u);
                     if _e307 {
-                        phi_491_ = _e306[0];
+                        phi_490_ = _e306[0];
                     } else {
-                        phi_491_ = _e306[1];
+                        phi_490_ = _e306[1];
                     }
-                    let _e311 = phi_491_;
+                    let _e311 = phi_490_;
                     let _e312 = (_e268 == 2u);
                     if _e312 {
-                        phi_497_ = _e306[2];
+                        phi_496_ = _e306[2];
                     } else {
-                        phi_497_ = _e311;
+                        phi_496_ = _e311;
                     }
-                    let _e315 = phi_497_;
+                    let _e315 = phi_496_;
                     let _e317 = ((_e315 * _e279) * _e285);
                     let _e318 = global_4.member[_e154].member_2;
                     if _e307 {
-                        phi_508_ = _e318[0];
+                        phi_507_ = _e318[0];
                     } else {
-                        phi_508_ = _e318[1];
+                        phi_507_ = _e318[1];
                     }
-                    let _e322 = phi_508_;
+                    let _e322 = phi_507_;
                     if _e312 {
-                        phi_514_ = _e318[2];
+                        phi_513_ = _e318[2];
                     } else {
-                        phi_514_ = _e322;
+                        phi_513_ = _e322;
                     }
-                    let _e325 = phi_514_;
+                    let _e325 = phi_513_;
                     let _e327 = ((_e325 * _e296) * _e302);
                     let _e331 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e331 {
                         let _e335 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) * 0.00000011920929f);
-                        phi_537_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
+                        phi_536_ = select(0.00000000000011368684f, _e335, (_e335 > 0.00000000000011368684f));
                     } else {
-                        phi_537_ = 0f;
+                        phi_536_ = 0f;
                     }
-                    let _e339 = phi_537_;
+                    let _e339 = phi_536_;
                     let _e340 = (_e317 + _e339);
                     let _e341 = (_e317 - _e339);
                     let _e342 = select(_e327, 0f, _e331);
                     if _e331 {
-                        phi_548_ = 38685626000000000000000000f;
+                        phi_547_ = 38685626000000000000000000f;
                     } else {
-                        phi_548_ = (1f / _e327);
+                        phi_547_ = (1f / _e327);
                     }
-                    let _e345 = phi_548_;
+                    let _e345 = phi_547_;
                     let _e346 = (_e267 == 0u);
                     if _e346 {
-                        phi_557_ = _e306[0];
+                        phi_556_ = _e306[0];
                     } else {
-                        phi_557_ = _e306[1];
+                        phi_556_ = _e306[1];
                     }
-                    let _e350 = phi_557_;
+                    let _e350 = phi_556_;
                     let _e351 = (_e267 == 2u);
                     if _e351 {
-                        phi_563_ = _e306[2];
+                        phi_562_ = _e306[2];
                     } else {
-                        phi_563_ = _e350;
+                        phi_562_ = _e350;
                     }
-                    let _e354 = phi_563_;
+                    let _e354 = phi_562_;
                     let _e356 = ((_e354 * _e279) * _e285);
                     if _e346 {
-                        phi_574_ = _e318[0];
+                        phi_573_ = _e318[0];
                     } else {
-                        phi_574_ = _e318[1];
+                        phi_573_ = _e318[1];
                     }
-                    let _e360 = phi_574_;
+                    let _e360 = phi_573_;
                     if _e351 {
-                        phi_580_ = _e318[2];
+                        phi_579_ = _e318[2];
                     } else {
-                        phi_580_ = _e360;
+                        phi_579_ = _e360;
                     }
-                    let _e363 = phi_580_;
+                    let _e363 = phi_579_;
                     let _e365 = ((_e363 * _e296) * _e302);
                     let _e369 = (bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e369 {
                         let _e373 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) * 0.00000011920929f);
-                        phi_603_ = select(0.00000000000011368684f, _e373, (_e373 > 0.00000000000011368684f));
+                        phi_602_ = select(0.00000000000011368684f, _e373, (_e373 > 0.00000000000011368684f));
                     } else {
-                        phi_603_ = 0f;
+                        phi_602_ = 0f;
                     }
-                    let _e377 = phi_603_;
+                    let _e377 = phi_602_;
                     let _e378 = (_e356 + _e377);
                     let _e379 = (_e356 - _e377);
                     let _e380 = select(_e365, 0f, _e369);
                     if _e369 {
-                        phi_614_ = 38685626000000000000000000f;
+                        phi_613_ = 38685626000000000000000000f;
                     } else {
-                        phi_614_ = (1f / _e365);
+                        phi_613_ = (1f / _e365);
                     }
-                    let _e383 = phi_614_;
+                    let _e383 = phi_613_;
                     let _e384 = (_e269 == 0u);
                     if _e384 {
-                        phi_623_ = _e306[0];
+                        phi_622_ = _e306[0];
                     } else {
-                        phi_623_ = _e306[1];
+                        phi_622_ = _e306[1];
                     }
-                    let _e388 = phi_623_;
+                    let _e388 = phi_622_;
                     let _e389 = (_e269 == 2u);
                     if _e389 {
-                        phi_629_ = _e306[2];
+                        phi_628_ = _e306[2];
                     } else {
-                        phi_629_ = _e388;
+                        phi_628_ = _e388;
                     }
-                    let _e392 = phi_629_;
+                    let _e392 = phi_628_;
                     let _e394 = ((_e392 * _e279) * _e285);
                     if _e384 {
-                        phi_640_ = _e318[0];
+                        phi_639_ = _e318[0];
                     } else {
-                        phi_640_ = _e318[1];
+                        phi_639_ = _e318[1];
                     }
-                    let _e398 = phi_640_;
+                    let _e398 = phi_639_;
                     if _e389 {
-                        phi_646_ = _e318[2];
+                        phi_645_ = _e318[2];
                     } else {
-                        phi_646_ = _e398;
+                        phi_645_ = _e398;
                     }
-                    let _e401 = phi_646_;
+                    let _e401 = phi_645_;
                     let _e403 = ((_e401 * _e296) * _e302);
                     let _e407 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e407 {
                         let _e411 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
-                        phi_669_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
+                        phi_668_ = select(0.00000000000011368684f, _e411, (_e411 > 0.00000000000011368684f));
                     } else {
-                        phi_669_ = 0f;
+                        phi_668_ = 0f;
                     }
-                    let _e415 = phi_669_;
+                    let _e415 = phi_668_;
                     let _e416 = (_e394 + _e415);
                     let _e417 = (_e394 - _e415);
                     let _e418 = select(_e403, 0f, _e407);
                     if _e407 {
-                        phi_680_ = 38685626000000000000000000f;
+                        phi_679_ = 38685626000000000000000000f;
                     } else {
-                        phi_680_ = (1f / _e403);
+                        phi_679_ = (1f / _e403);
                     }
-                    let _e421 = phi_680_;
+                    let _e421 = phi_679_;
                     let _e424 = bitcast<f32>((bitcast<u32>(_e317) & 2147483647u));
                     let _e427 = bitcast<f32>((bitcast<u32>(_e356) & 2147483647u));
                     let _e429 = select(_e427, _e424, (_e424 > _e427));
@@ -494,14 +494,14 @@ fn function_() {
                         let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
                         let _e460 = (((_e224 * _e445) * _e445) * _e452);
                         let _e462 = select(340282350000000000000000000000000000000f, _e460, (_e460 < 340282350000000000000000000000000000000f));
-                        phi_780_ = select(-340282350000000000000000000000000000000f, _e462, (_e462 > -340282350000000000000000000000000000000f));
-                        phi_781_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
+                        phi_779_ = select(-340282350000000000000000000000000000000f, _e462, (_e462 > -340282350000000000000000000000000000000f));
+                        phi_780_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_780_ = 0f;
-                        phi_781_ = 1f;
+                        phi_779_ = 0f;
+                        phi_780_ = 1f;
                     }
-                    let _e466 = phi_780_;
-                    let _e468 = phi_781_;
+                    let _e466 = phi_779_;
+                    let _e468 = phi_780_;
                     local_9 = array<type_24, 8>(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -547,1134 +547,1113 @@ fn function_() {
                         break;
                     }
                     let _e499 = local[_e483];
-                    phi_3954_ = false;
-                    phi_3853_ = _e466;
-                    phi_923_ = type_55(type_28(vec4<f32>((f32(_e474) * _e148), (f32(_e480) * _e148), (f32(_e486) * _e148), 0f), vec4<f32>((f32(_e491) * _e148), (f32(_e495) * _e148), (f32(_e499) * _e148), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
-                    phi_926_ = ((3u * _e97) + 1u);
-                    phi_928_ = (_e468 <= _e466);
-                    phi_930_ = 0u;
+                    phi_3796_ = false;
+                    phi_3710_ = _e466;
+                    phi_922_ = type_55(type_28(vec4<f32>((f32(_e474) * _e148), (f32(_e480) * _e148), (f32(_e486) * _e148), 0f), vec4<f32>((f32(_e491) * _e148), (f32(_e495) * _e148), (f32(_e499) * _e148), 0f)), select(0u, 2147483648u, (_e97 == 0u)));
+                    phi_925_ = ((3u * _e97) + 1u);
+                    phi_927_ = (_e468 <= _e466);
+                    phi_929_ = 0u;
                     loop {
-                        let _e509 = phi_3954_;
-                        let _e511 = phi_3853_;
-                        let _e513 = phi_923_;
-                        let _e515 = phi_926_;
-                        let _e517 = phi_928_;
-                        let _e519 = phi_930_;
+                        let _e509 = phi_3796_;
+                        let _e511 = phi_3710_;
+                        let _e513 = phi_922_;
+                        let _e515 = phi_925_;
+                        let _e517 = phi_927_;
+                        let _e519 = phi_929_;
                         if _e517 {
-                            phi_941_ = true;
+                            phi_940_ = true;
                         } else {
-                            phi_941_ = (_e519 > 0u);
+                            phi_940_ = (_e519 > 0u);
                         }
-                        let _e522 = phi_941_;
+                        let _e522 = phi_940_;
                         if _e522 {
                             let _e523 = (_e515 > 0u);
                             if _e523 {
                                 if _e517 {
-                                    phi_1028_ = _e513;
-                                    phi_1029_ = _e517;
-                                    phi_1030_ = _e519;
+                                    phi_1027_ = _e513;
+                                    phi_1028_ = _e517;
+                                    phi_1029_ = _e519;
                                 } else {
                                     let _e524 = (_e519 - 1u);
                                     let _e525 = (_e524 % 128u);
                                     let _e526 = (_e525 < 128u);
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e528 = local_7[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e530 = local_6[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e532 = local_5[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e534 = local_4[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e536 = local_3[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e538 = local_2[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e543 = local_8[_e525];
                                     if _e526 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e546 = local_10[_e525];
-                                    phi_1028_ = type_55(type_28(vec4<f32>(_e528, _e530, _e532, 0f), vec4<f32>(_e534, _e536, _e538, 0f)), _e543);
-                                    phi_1029_ = (_e546 <= _e511);
-                                    phi_1030_ = _e524;
+                                    phi_1027_ = type_55(type_28(vec4<f32>(_e528, _e530, _e532, 0f), vec4<f32>(_e534, _e536, _e538, 0f)), _e543);
+                                    phi_1028_ = (_e546 <= _e511);
+                                    phi_1029_ = _e524;
                                 }
-                                let _e549 = phi_1028_;
-                                let _e551 = phi_1029_;
-                                let _e553 = phi_1030_;
+                                let _e549 = phi_1027_;
+                                let _e551 = phi_1028_;
+                                let _e553 = phi_1029_;
                                 if _e551 {
                                     let _e558 = (_e549.member_1 & 268435455u);
                                     if ((_e549.member_1 & 2147483648u) != 0u) {
-                                        phi_4026_ = _e511;
-                                        phi_3951_ = _e509;
-                                        phi_1049_ = type_8(0u, ((_e549.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3868_ = _e511;
+                                        phi_3793_ = _e509;
+                                        phi_1048_ = type_8(0u, ((_e549.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1038 = phi_4026_;
-                                            let _e1040 = phi_3951_;
-                                            let _e1042 = phi_1049_;
-                                            if (_e1042.member < _e1042.member_1) {
-                                                phi_1050_ = type_8((_e1042.member + 1u), _e1042.member_1);
-                                                phi_1073_ = type_8(1u, _e1042.member);
+                                            let _e1017 = phi_3868_;
+                                            let _e1019 = phi_3793_;
+                                            let _e1021 = phi_1048_;
+                                            if (_e1021.member < _e1021.member_1) {
+                                                phi_1049_ = type_8((_e1021.member + 1u), _e1021.member_1);
+                                                phi_1072_ = type_8(1u, _e1021.member);
                                             } else {
-                                                phi_1050_ = _e1042;
-                                                phi_1073_ = type_8(0u, type_8().member_1);
+                                                phi_1049_ = _e1021;
+                                                phi_1072_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1055 = phi_1050_;
-                                            let _e1057 = phi_1073_;
-                                            let _e1061 = (bitcast<i32>(_e1057.member) != 0i);
-                                            if _e1061 {
-                                                let _e1066 = (_e549.member.member_1.x - _e549.member.member.x);
-                                                let _e1069 = (_e549.member.member_1.y - _e549.member.member.y);
-                                                let _e1072 = (_e549.member.member_1.z - _e549.member.member.z);
-                                                let _e1074 = select(_e1069, _e1066, (_e1066 > _e1069));
-                                                let _e1076 = select(_e1072, _e1074, (_e1074 > _e1072));
-                                                let _e1078 = (_e1076 < (1024f * _e148));
-                                                if _e1078 {
-                                                    phi_1114_ = 0u;
+                                            let _e1034 = phi_1049_;
+                                            let _e1036 = phi_1072_;
+                                            let _e1040 = (bitcast<i32>(_e1036.member) != 0i);
+                                            if _e1040 {
+                                                let _e1045 = (_e549.member.member_1.x - _e549.member.member.x);
+                                                let _e1048 = (_e549.member.member_1.y - _e549.member.member.y);
+                                                let _e1051 = (_e549.member.member_1.z - _e549.member.member.z);
+                                                let _e1053 = select(_e1048, _e1045, (_e1045 > _e1048));
+                                                let _e1055 = select(_e1051, _e1053, (_e1053 > _e1051));
+                                                let _e1057 = (_e1055 < (1024f * _e148));
+                                                if _e1057 {
+                                                    phi_1113_ = 0u;
                                                 } else {
-                                                    phi_1114_ = select(2u, 1u, (_e1076 < (2097152f * _e148)));
+                                                    phi_1113_ = select(2u, 1u, (_e1055 < (2097152f * _e148)));
                                                 }
-                                                let _e1083 = phi_1114_;
-                                                switch bitcast<i32>(_e1083) {
+                                                let _e1062 = phi_1113_;
+                                                switch bitcast<i32>(_e1062) {
                                                     case 0: {
-                                                        phi_1120_ = 1u;
+                                                        phi_1119_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1120_ = 2u;
+                                                        phi_1119_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1120_ = 3u;
+                                                        phi_1119_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1120_ = u32();
+                                                        phi_1119_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1086 = phi_1120_;
-                                                switch bitcast<i32>(_e1083) {
+                                                let _e1065 = phi_1119_;
+                                                switch bitcast<i32>(_e1062) {
                                                     case 0: {
-                                                        phi_1130_ = 1u;
+                                                        phi_1129_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1130_ = 2u;
+                                                        phi_1129_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1130_ = 3u;
+                                                        phi_1129_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1130_ = u32();
+                                                        phi_1129_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1093 = phi_1130_;
-                                                let _e1095 = ((_e558 + (_e1057.member_1 * ((3u * _e1086) + 1u))) + (3u * _e1093));
-                                                let _e1096 = (_e1095 < _e100);
-                                                if _e1096 {
-                                                    if _e1096 {
+                                                let _e1072 = phi_1129_;
+                                                let _e1074 = ((_e558 + (_e1036.member_1 * ((3u * _e1065) + 1u))) + (3u * _e1072));
+                                                let _e1075 = (_e1074 < _e100);
+                                                if _e1075 {
+                                                    if _e1075 {
                                                     } else {
-                                                        phi_4259_ = _e1038;
-                                                        phi_4097_ = true;
+                                                        phi_4086_ = _e1017;
+                                                        phi_3939_ = true;
                                                         break;
                                                     }
-                                                    let _e1098 = global_5.member[_e1095];
-                                                    phi_1146_ = _e1098;
+                                                    let _e1077 = global_5.member[_e1074];
+                                                    phi_1145_ = _e1077;
                                                 } else {
-                                                    phi_1146_ = 4294967295u;
+                                                    phi_1145_ = 4294967295u;
                                                 }
-                                                let _e1100 = phi_1146_;
+                                                let _e1079 = phi_1145_;
                                                 local_11 = array<u32, 3>(_e268, _e267, _e269);
-                                                if _e1078 {
-                                                    phi_1183_ = 0u;
+                                                if _e1057 {
+                                                    phi_1182_ = 0u;
                                                 } else {
-                                                    phi_1183_ = select(2u, 1u, (_e1076 < (2097152f * _e148)));
+                                                    phi_1182_ = select(2u, 1u, (_e1055 < (2097152f * _e148)));
                                                 }
-                                                let _e1106 = phi_1183_;
-                                                switch bitcast<i32>(_e1106) {
+                                                let _e1085 = phi_1182_;
+                                                switch bitcast<i32>(_e1085) {
                                                     case 0: {
-                                                        phi_1189_ = 1u;
+                                                        phi_1188_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1189_ = 2u;
+                                                        phi_1188_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1189_ = 3u;
+                                                        phi_1188_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1189_ = u32();
+                                                        phi_1188_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1109 = phi_1189_;
-                                                switch bitcast<i32>(_e1106) {
+                                                let _e1088 = phi_1188_;
+                                                switch bitcast<i32>(_e1085) {
                                                     case 0: {
-                                                        phi_1199_ = 1u;
+                                                        phi_1198_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1199_ = 2u;
+                                                        phi_1198_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1199_ = 3u;
+                                                        phi_1198_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1199_ = u32();
+                                                        phi_1198_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1116 = phi_1199_;
+                                                let _e1095 = phi_1198_;
                                                 local_13 = array<f32, 4>(_e549.member.member.x, _e549.member.member.y, _e549.member.member.z, _e549.member.member.w);
                                                 local_12[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_12[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_12[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3936_ = _e1040;
-                                                phi_1215_ = type_8(0u, 3u);
+                                                phi_3778_ = _e1019;
+                                                phi_1214_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1130 = phi_3936_;
-                                                    let _e1132 = phi_1215_;
-                                                    if (_e1132.member < _e1132.member_1) {
-                                                        phi_1216_ = type_8((_e1132.member + 1u), _e1132.member_1);
-                                                        phi_1239_ = type_8(1u, _e1132.member);
+                                                    let _e1109 = phi_3778_;
+                                                    let _e1111 = phi_1214_;
+                                                    if (_e1111.member < _e1111.member_1) {
+                                                        phi_1215_ = type_8((_e1111.member + 1u), _e1111.member_1);
+                                                        phi_1238_ = type_8(1u, _e1111.member);
                                                     } else {
-                                                        phi_1216_ = _e1132;
-                                                        phi_1239_ = type_8(0u, type_8().member_1);
+                                                        phi_1215_ = _e1111;
+                                                        phi_1238_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1145 = phi_1216_;
-                                                    let _e1147 = phi_1239_;
-                                                    let _e1151 = (bitcast<i32>(_e1147.member) != 0i);
-                                                    if _e1151 {
-                                                        let _e1153 = ((_e558 + (_e1057.member_1 * ((3u * _e1109) + 1u))) + (_e1147.member_1 * _e1116));
-                                                        let _e1154 = (_e1153 < _e100);
-                                                        if _e1154 {
-                                                            if _e1154 {
+                                                    let _e1124 = phi_1215_;
+                                                    let _e1126 = phi_1238_;
+                                                    let _e1130 = (bitcast<i32>(_e1126.member) != 0i);
+                                                    if _e1130 {
+                                                        let _e1132 = ((_e558 + (_e1036.member_1 * ((3u * _e1088) + 1u))) + (_e1126.member_1 * _e1095));
+                                                        let _e1133 = (_e1132 < _e100);
+                                                        if _e1133 {
+                                                            if _e1133 {
                                                             } else {
-                                                                phi_4007_ = true;
+                                                                phi_3849_ = true;
                                                                 break;
                                                             }
-                                                            let _e1156 = global_5.member[_e1153];
-                                                            phi_1262_ = _e1156;
+                                                            let _e1135 = global_5.member[_e1132];
+                                                            phi_1261_ = _e1135;
                                                         } else {
-                                                            phi_1262_ = 0u;
+                                                            phi_1261_ = 0u;
                                                         }
-                                                        let _e1158 = phi_1262_;
-                                                        let _e1159 = (_e1153 + 1u);
-                                                        let _e1160 = (_e1159 < _e100);
-                                                        if _e1160 {
-                                                            if _e1160 {
+                                                        let _e1137 = phi_1261_;
+                                                        let _e1138 = (_e1132 + 1u);
+                                                        let _e1139 = (_e1138 < _e100);
+                                                        if _e1139 {
+                                                            if _e1139 {
                                                             } else {
-                                                                phi_4007_ = true;
+                                                                phi_3849_ = true;
                                                                 break;
                                                             }
-                                                            let _e1162 = global_5.member[_e1159];
-                                                            phi_1277_ = _e1162;
+                                                            let _e1141 = global_5.member[_e1138];
+                                                            phi_1276_ = _e1141;
                                                         } else {
-                                                            phi_1277_ = 0u;
+                                                            phi_1276_ = 0u;
                                                         }
-                                                        let _e1164 = phi_1277_;
-                                                        phi_1280_ = type_8(0u, 3u);
+                                                        let _e1143 = phi_1276_;
+                                                        phi_1279_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1166 = phi_1280_;
-                                                            if (_e1166.member < _e1166.member_1) {
-                                                                phi_1281_ = type_8((_e1166.member + 1u), _e1166.member_1);
-                                                                phi_1304_ = type_8(1u, _e1166.member);
+                                                            let _e1145 = phi_1279_;
+                                                            if (_e1145.member < _e1145.member_1) {
+                                                                phi_1280_ = type_8((_e1145.member + 1u), _e1145.member_1);
+                                                                phi_1303_ = type_8(1u, _e1145.member);
                                                             } else {
-                                                                phi_1281_ = _e1166;
-                                                                phi_1304_ = type_8(0u, type_8().member_1);
+                                                                phi_1280_ = _e1145;
+                                                                phi_1303_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1179 = phi_1281_;
-                                                            let _e1181 = phi_1304_;
-                                                            let _e1185 = (bitcast<i32>(_e1181.member) != 0i);
-                                                            if _e1185 {
-                                                                let _e1186 = (_e1181.member_1 < 3u);
-                                                                if _e1186 {
+                                                            let _e1158 = phi_1280_;
+                                                            let _e1160 = phi_1303_;
+                                                            let _e1164 = (bitcast<i32>(_e1160.member) != 0i);
+                                                            if _e1164 {
+                                                                let _e1165 = (_e1160.member_1 < 3u);
+                                                                if _e1165 {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1188 = local_11[_e1181.member_1];
-                                                                if (_e1181.member_1 < 4u) {
+                                                                let _e1167 = local_11[_e1160.member_1];
+                                                                if (_e1160.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1191 = local_13[_e1181.member_1];
-                                                                switch bitcast<i32>(_e1106) {
+                                                                let _e1170 = local_13[_e1160.member_1];
+                                                                switch bitcast<i32>(_e1085) {
                                                                     case 0: {
-                                                                        phi_1374_ = (_e1191 + (f32(((_e1158 >> bitcast<u32>(((10u * _e1188) & 31u))) & 1023u)) * _e148));
+                                                                        phi_1373_ = (_e1170 + (f32(((_e1137 >> bitcast<u32>(((10u * _e1167) & 31u))) & 1023u)) * _e148));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1188 == 0u) {
-                                                                            phi_1351_ = _e1158;
+                                                                        if (_e1167 == 0u) {
+                                                                            phi_1350_ = _e1137;
                                                                         } else {
-                                                                            if (_e1188 == 1u) {
-                                                                                phi_1350_ = ((_e1158 >> bitcast<u32>(21i)) | (_e1164 << bitcast<u32>(11i)));
+                                                                            if (_e1167 == 1u) {
+                                                                                phi_1349_ = ((_e1137 >> bitcast<u32>(21i)) | (_e1143 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1350_ = (_e1164 >> bitcast<u32>(10i));
+                                                                                phi_1349_ = (_e1143 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1212 = phi_1350_;
-                                                                            phi_1351_ = _e1212;
+                                                                            let _e1191 = phi_1349_;
+                                                                            phi_1350_ = _e1191;
                                                                         }
-                                                                        let _e1214 = phi_1351_;
-                                                                        phi_1374_ = (_e1191 + (f32((_e1214 & 2097151u)) * _e148));
+                                                                        let _e1193 = phi_1350_;
+                                                                        phi_1373_ = (_e1170 + (f32((_e1193 & 2097151u)) * _e148));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1193 = (_e1153 + _e1188);
-                                                                        let _e1194 = (_e1193 < _e100);
-                                                                        if _e1194 {
-                                                                            if _e1194 {
+                                                                        let _e1172 = (_e1132 + _e1167);
+                                                                        let _e1173 = (_e1172 < _e100);
+                                                                        if _e1173 {
+                                                                            if _e1173 {
                                                                             } else {
-                                                                                phi_3929_ = true;
+                                                                                phi_3771_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1196 = global_5.member[_e1193];
-                                                                            phi_1370_ = _e1196;
+                                                                            let _e1175 = global_5.member[_e1172];
+                                                                            phi_1369_ = _e1175;
                                                                         } else {
-                                                                            phi_1370_ = 0u;
+                                                                            phi_1369_ = 0u;
                                                                         }
-                                                                        let _e1198 = phi_1370_;
-                                                                        phi_1374_ = (f32(bitcast<i32>(_e1198)) * _e148);
+                                                                        let _e1177 = phi_1369_;
+                                                                        phi_1373_ = (f32(bitcast<i32>(_e1177)) * _e148);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1374_ = f32();
+                                                                        phi_1373_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1228 = phi_1374_;
-                                                                if (_e1147.member_1 < 3u) {
+                                                                let _e1207 = phi_1373_;
+                                                                if (_e1126.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1186 {
+                                                                if _e1165 {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                local_12[_e1147.member_1][_e1181.member_1] = _e1228;
+                                                                local_12[_e1126.member_1][_e1160.member_1] = _e1207;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1280_ = _e1179;
-                                                                phi_3929_ = _e1130;
-                                                                break if !(_e1185);
+                                                                phi_1279_ = _e1158;
+                                                                phi_3771_ = _e1109;
+                                                                break if !(_e1164);
                                                             }
                                                         }
-                                                        let _e1234 = phi_3929_;
-                                                        phi_4007_ = _e1234;
-                                                        if _e1234 {
+                                                        let _e1213 = phi_3771_;
+                                                        phi_3849_ = _e1213;
+                                                        if _e1213 {
                                                             break;
                                                         }
-                                                        phi_4008_ = _e1234;
+                                                        phi_3850_ = _e1213;
                                                     } else {
-                                                        phi_4008_ = _e1130;
+                                                        phi_3850_ = _e1109;
                                                     }
-                                                    let _e1236 = phi_4008_;
+                                                    let _e1215 = phi_3850_;
                                                     continue;
                                                     continuing {
-                                                        phi_3936_ = _e1236;
-                                                        phi_1215_ = _e1145;
-                                                        phi_4007_ = _e1236;
-                                                        break if !(_e1151);
+                                                        phi_3778_ = _e1215;
+                                                        phi_1214_ = _e1124;
+                                                        phi_3849_ = _e1215;
+                                                        break if !(_e1130);
                                                     }
                                                 }
-                                                let _e1239 = phi_4007_;
-                                                phi_4259_ = _e1038;
-                                                phi_4097_ = _e1239;
-                                                if _e1239 {
+                                                let _e1218 = phi_3849_;
+                                                phi_4086_ = _e1017;
+                                                phi_3939_ = _e1218;
+                                                if _e1218 {
                                                     break;
                                                 }
-                                                let _e1240 = local_12;
-                                                let _e1255 = (_e1240[0][2] - _e394);
-                                                let _e1258 = (((_e1240[0][0] - _e317) * _e418) - (_e1255 * _e342));
-                                                let _e1261 = (((_e1240[0][1] - _e356) * _e418) - (_e1255 * _e380));
-                                                let _e1264 = (_e1240[1][2] - _e394);
-                                                let _e1267 = (((_e1240[1][0] - _e317) * _e418) - (_e1264 * _e342));
-                                                let _e1270 = (((_e1240[1][1] - _e356) * _e418) - (_e1264 * _e380));
-                                                let _e1273 = (_e1240[2][2] - _e394);
-                                                let _e1276 = (((_e1240[2][0] - _e317) * _e418) - (_e1273 * _e342));
-                                                let _e1279 = (((_e1240[2][1] - _e356) * _e418) - (_e1273 * _e380));
-                                                let _e1280 = (_e1276 * _e1270);
-                                                let _e1281 = (_e1279 * _e1267);
-                                                let _e1282 = (_e1258 * _e1279);
-                                                let _e1283 = (_e1261 * _e1276);
-                                                let _e1284 = (_e1267 * _e1261);
-                                                let _e1285 = (_e1270 * _e1258);
-                                                let _e1290 = (((_e1280 >= _e1281) && (_e1282 >= _e1283)) && (_e1284 >= _e1285));
-                                                if (_e1290 || (((_e1280 <= _e1281) && (_e1282 <= _e1283)) && (_e1284 <= _e1285))) {
-                                                    let _e1297 = select(-1f, 1f, _e1290);
-                                                    let _e1299 = ((_e1280 - _e1281) * _e1297);
-                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
-                                                    let _e1303 = ((_e1282 - _e1283) * _e1297);
-                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
-                                                    let _e1307 = ((_e1284 - _e1285) * _e1297);
-                                                    let _e1309 = select(0f, _e1307, (_e1307 > 0f));
-                                                    let _e1311 = ((_e1301 + _e1305) + _e1309);
-                                                    if (_e1311 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1970_ = type_24();
-                                                        phi_1971_ = true;
+                                                let _e1219 = local_12;
+                                                let _e1234 = (_e1219[0][2] - _e394);
+                                                let _e1237 = (((_e1219[0][0] - _e317) * _e418) - (_e1234 * _e342));
+                                                let _e1240 = (((_e1219[0][1] - _e356) * _e418) - (_e1234 * _e380));
+                                                let _e1243 = (_e1219[1][2] - _e394);
+                                                let _e1246 = (((_e1219[1][0] - _e317) * _e418) - (_e1243 * _e342));
+                                                let _e1249 = (((_e1219[1][1] - _e356) * _e418) - (_e1243 * _e380));
+                                                let _e1252 = (_e1219[2][2] - _e394);
+                                                let _e1255 = (((_e1219[2][0] - _e317) * _e418) - (_e1252 * _e342));
+                                                let _e1258 = (((_e1219[2][1] - _e356) * _e418) - (_e1252 * _e380));
+                                                let _e1259 = (_e1255 * _e1249);
+                                                let _e1260 = (_e1258 * _e1246);
+                                                let _e1261 = (_e1237 * _e1258);
+                                                let _e1262 = (_e1240 * _e1255);
+                                                let _e1263 = (_e1246 * _e1240);
+                                                let _e1264 = (_e1249 * _e1237);
+                                                let _e1269 = (((_e1259 >= _e1260) && (_e1261 >= _e1262)) && (_e1263 >= _e1264));
+                                                if (_e1269 || (((_e1259 <= _e1260) && (_e1261 <= _e1262)) && (_e1263 <= _e1264))) {
+                                                    let _e1276 = select(-1f, 1f, _e1269);
+                                                    let _e1278 = ((_e1259 - _e1260) * _e1276);
+                                                    let _e1280 = select(0f, _e1278, (_e1278 > 0f));
+                                                    let _e1282 = ((_e1261 - _e1262) * _e1276);
+                                                    let _e1284 = select(0f, _e1282, (_e1282 > 0f));
+                                                    let _e1286 = ((_e1263 - _e1264) * _e1276);
+                                                    let _e1288 = select(0f, _e1286, (_e1286 > 0f));
+                                                    let _e1290 = ((_e1280 + _e1284) + _e1288);
+                                                    if (_e1290 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1969_ = type_24();
+                                                        phi_1970_ = true;
                                                     } else {
-                                                        let _e1314 = select(_e1240[1][0], _e1240[0][0], (_e1240[0][0] < _e1240[1][0]));
-                                                        let _e1318 = select(_e1240[1][0], _e1240[0][0], (_e1240[0][0] > _e1240[1][0]));
-                                                        let _e1322 = select(_e1240[1][1], _e1240[0][1], (_e1240[0][1] < _e1240[1][1]));
-                                                        let _e1326 = select(_e1240[1][1], _e1240[0][1], (_e1240[0][1] > _e1240[1][1]));
-                                                        let _e1330 = select(_e1240[1][2], _e1240[0][2], (_e1240[0][2] < _e1240[1][2]));
-                                                        let _e1334 = select(_e1240[1][2], _e1240[0][2], (_e1240[0][2] > _e1240[1][2]));
-                                                        let _e1339 = ((select(_e1240[2][0], _e1314, (_e1314 < _e1240[2][0])) - _e340) * _e345);
-                                                        let _e1340 = ((select(_e1240[2][0], _e1318, (_e1318 > _e1240[2][0])) - _e341) * _e345);
-                                                        let _e1343 = ((select(_e1240[2][1], _e1322, (_e1322 < _e1240[2][1])) - _e378) * _e383);
-                                                        let _e1344 = ((select(_e1240[2][1], _e1326, (_e1326 > _e1240[2][1])) - _e379) * _e383);
-                                                        let _e1347 = ((select(_e1240[2][2], _e1330, (_e1330 < _e1240[2][2])) - _e416) * _e421);
-                                                        let _e1348 = ((select(_e1240[2][2], _e1334, (_e1334 > _e1240[2][2])) - _e417) * _e421);
-                                                        let _e1350 = select(_e1348, _e1347, (_e1347 < _e1348));
-                                                        let _e1352 = select(_e1348, _e1347, (_e1347 > _e1348));
-                                                        let _e1354 = select(_e1340, _e1339, (_e1339 < _e1340));
-                                                        let _e1356 = select(_e1344, _e1343, (_e1343 < _e1344));
-                                                        let _e1358 = select(_e1356, _e1354, (_e1354 > _e1356));
-                                                        let _e1360 = select(_e1350, _e1358, (_e1358 > _e1350));
-                                                        let _e1362 = select(_e1340, _e1339, (_e1339 > _e1340));
-                                                        let _e1364 = select(_e1344, _e1343, (_e1343 > _e1344));
-                                                        let _e1366 = select(_e1364, _e1362, (_e1362 < _e1364));
-                                                        let _e1368 = select(_e1352, _e1366, (_e1366 < _e1352));
-                                                        let _e1369 = -(_e1350);
-                                                        let _e1375 = select(_e468, _e1360, (_e1360 > _e468));
-                                                        if (_e1375 > (_e1368 + (select(_e1369, _e1352, (_e1352 > _e1369)) * 0.0000019073523f))) {
-                                                            phi_1965_ = type_24();
-                                                            phi_1966_ = true;
+                                                        let _e1293 = select(_e1219[1][0], _e1219[0][0], (_e1219[0][0] < _e1219[1][0]));
+                                                        let _e1297 = select(_e1219[1][0], _e1219[0][0], (_e1219[0][0] > _e1219[1][0]));
+                                                        let _e1301 = select(_e1219[1][1], _e1219[0][1], (_e1219[0][1] < _e1219[1][1]));
+                                                        let _e1305 = select(_e1219[1][1], _e1219[0][1], (_e1219[0][1] > _e1219[1][1]));
+                                                        let _e1309 = select(_e1219[1][2], _e1219[0][2], (_e1219[0][2] < _e1219[1][2]));
+                                                        let _e1313 = select(_e1219[1][2], _e1219[0][2], (_e1219[0][2] > _e1219[1][2]));
+                                                        let _e1318 = ((select(_e1219[2][0], _e1293, (_e1293 < _e1219[2][0])) - _e340) * _e345);
+                                                        let _e1319 = ((select(_e1219[2][0], _e1297, (_e1297 > _e1219[2][0])) - _e341) * _e345);
+                                                        let _e1322 = ((select(_e1219[2][1], _e1301, (_e1301 < _e1219[2][1])) - _e378) * _e383);
+                                                        let _e1323 = ((select(_e1219[2][1], _e1305, (_e1305 > _e1219[2][1])) - _e379) * _e383);
+                                                        let _e1326 = ((select(_e1219[2][2], _e1309, (_e1309 < _e1219[2][2])) - _e416) * _e421);
+                                                        let _e1327 = ((select(_e1219[2][2], _e1313, (_e1313 > _e1219[2][2])) - _e417) * _e421);
+                                                        let _e1329 = select(_e1327, _e1326, (_e1326 < _e1327));
+                                                        let _e1331 = select(_e1327, _e1326, (_e1326 > _e1327));
+                                                        let _e1333 = select(_e1319, _e1318, (_e1318 < _e1319));
+                                                        let _e1335 = select(_e1323, _e1322, (_e1322 < _e1323));
+                                                        let _e1337 = select(_e1335, _e1333, (_e1333 > _e1335));
+                                                        let _e1339 = select(_e1329, _e1337, (_e1337 > _e1329));
+                                                        let _e1341 = select(_e1319, _e1318, (_e1318 > _e1319));
+                                                        let _e1343 = select(_e1323, _e1322, (_e1322 > _e1323));
+                                                        let _e1345 = select(_e1343, _e1341, (_e1341 < _e1343));
+                                                        let _e1347 = select(_e1331, _e1345, (_e1345 < _e1331));
+                                                        let _e1348 = -(_e1329);
+                                                        let _e1354 = select(_e468, _e1339, (_e1339 > _e468));
+                                                        if (_e1354 > (_e1347 + (select(_e1348, _e1331, (_e1331 > _e1348)) * 0.0000019073523f))) {
+                                                            phi_1964_ = type_24();
+                                                            phi_1965_ = true;
                                                         } else {
-                                                            let _e1377 = (_e1375 > _e1038);
-                                                            if _e1377 {
-                                                                phi_1964_ = type_24();
+                                                            let _e1356 = (_e1354 > _e1017);
+                                                            if _e1356 {
+                                                                phi_1963_ = type_24();
                                                             } else {
-                                                                let _e1381 = (_e1240[1][0] - _e1240[0][0]);
-                                                                let _e1382 = (_e1240[1][1] - _e1240[0][1]);
-                                                                let _e1383 = (_e1240[1][2] - _e1240[0][2]);
-                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
-                                                                let _e1385 = (_e1240[2][0] - _e1240[1][0]);
-                                                                let _e1386 = (_e1240[2][1] - _e1240[1][1]);
-                                                                let _e1387 = (_e1240[2][2] - _e1240[1][2]);
-                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
-                                                                let _e1389 = (_e1240[0][0] - _e1240[2][0]);
-                                                                let _e1390 = (_e1240[0][1] - _e1240[2][1]);
-                                                                let _e1391 = (_e1240[0][2] - _e1240[2][2]);
-                                                                let _e1392 = vec3<f32>(_e1389, _e1390, _e1391);
-                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1398 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1400 = select(_e1398, _e1395, (_e1395 > _e1398));
-                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1360 = (_e1219[1][0] - _e1219[0][0]);
+                                                                let _e1361 = (_e1219[1][1] - _e1219[0][1]);
+                                                                let _e1362 = (_e1219[1][2] - _e1219[0][2]);
+                                                                let _e1363 = vec3<f32>(_e1360, _e1361, _e1362);
+                                                                let _e1364 = (_e1219[2][0] - _e1219[1][0]);
+                                                                let _e1365 = (_e1219[2][1] - _e1219[1][1]);
+                                                                let _e1366 = (_e1219[2][2] - _e1219[1][2]);
+                                                                let _e1367 = vec3<f32>(_e1364, _e1365, _e1366);
+                                                                let _e1368 = (_e1219[0][0] - _e1219[2][0]);
+                                                                let _e1369 = (_e1219[0][1] - _e1219[2][1]);
+                                                                let _e1370 = (_e1219[0][2] - _e1219[2][2]);
+                                                                let _e1371 = vec3<f32>(_e1368, _e1369, _e1370);
+                                                                let _e1374 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
+                                                                let _e1377 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
+                                                                let _e1379 = select(_e1377, _e1374, (_e1374 > _e1377));
+                                                                let _e1382 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
+                                                                let _e1384 = select(_e1382, _e1379, (_e1379 > _e1382));
+                                                                let _e1387 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
+                                                                let _e1390 = bitcast<f32>((bitcast<u32>(_e1365) & 2147483647u));
+                                                                let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                let _e1395 = bitcast<f32>((bitcast<u32>(_e1366) & 2147483647u));
+                                                                let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                                                                let _e1400 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
+                                                                let _e1403 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
                                                                 let _e1405 = select(_e1403, _e1400, (_e1400 > _e1403));
-                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1411 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1413 = select(_e1411, _e1408, (_e1408 > _e1411));
-                                                                let _e1416 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
-                                                                let _e1418 = select(_e1416, _e1413, (_e1413 > _e1416));
-                                                                let _e1421 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
-                                                                let _e1429 = bitcast<f32>((bitcast<u32>(_e1391) & 2147483647u));
-                                                                let _e1431 = select(_e1429, _e1426, (_e1426 > _e1429));
-                                                                let _e1433 = select(_e1418, _e1405, (_e1405 > _e1418));
-                                                                let _e1435 = select(_e1431, _e1433, (_e1433 > _e1431));
-                                                                if (_e1405 == _e1435) {
-                                                                    phi_1875_ = _e1388;
-                                                                    phi_1876_ = _e1392;
+                                                                let _e1408 = bitcast<f32>((bitcast<u32>(_e1370) & 2147483647u));
+                                                                let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
+                                                                let _e1412 = select(_e1397, _e1384, (_e1384 > _e1397));
+                                                                let _e1414 = select(_e1410, _e1412, (_e1412 > _e1410));
+                                                                if (_e1384 == _e1414) {
+                                                                    phi_1874_ = _e1367;
+                                                                    phi_1875_ = _e1371;
                                                                 } else {
-                                                                    let _e1438 = vec3((_e1418 == _e1435));
-                                                                    phi_1875_ = select(_e1384, _e1392, _e1438);
-                                                                    phi_1876_ = select(_e1388, _e1384, _e1438);
+                                                                    let _e1417 = vec3((_e1397 == _e1414));
+                                                                    phi_1874_ = select(_e1363, _e1371, _e1417);
+                                                                    phi_1875_ = select(_e1367, _e1363, _e1417);
                                                                 }
-                                                                let _e1442 = phi_1875_;
-                                                                let _e1444 = phi_1876_;
-                                                                let _e1451 = ((_e1442.y * _e1444.z) - (_e1444.y * _e1442.z));
-                                                                let _e1456 = ((_e1442.z * _e1444.x) - (_e1444.z * _e1442.x));
-                                                                let _e1459 = ((_e1442.x * _e1444.y) - (_e1444.x * _e1442.y));
-                                                                if (_e1301 >= _e1305) {
-                                                                    phi_1907_ = select(true, false, (_e1301 >= _e1309));
+                                                                let _e1421 = phi_1874_;
+                                                                let _e1423 = phi_1875_;
+                                                                let _e1430 = ((_e1421.y * _e1423.z) - (_e1423.y * _e1421.z));
+                                                                let _e1435 = ((_e1421.z * _e1423.x) - (_e1423.z * _e1421.x));
+                                                                let _e1438 = ((_e1421.x * _e1423.y) - (_e1423.x * _e1421.y));
+                                                                if (_e1280 >= _e1284) {
+                                                                    phi_1906_ = select(true, false, (_e1280 >= _e1288));
                                                                 } else {
-                                                                    phi_1907_ = true;
+                                                                    phi_1906_ = true;
                                                                 }
-                                                                let _e1464 = phi_1907_;
-                                                                if _e1464 {
-                                                                    phi_1916_ = select(vec3<f32>(_e1240[2][0], _e1240[2][1], _e1240[2][2]), vec3<f32>(_e1240[1][0], _e1240[1][1], _e1240[1][2]), vec3((_e1305 >= _e1309)));
+                                                                let _e1443 = phi_1906_;
+                                                                if _e1443 {
+                                                                    phi_1915_ = select(vec3<f32>(_e1219[2][0], _e1219[2][1], _e1219[2][2]), vec3<f32>(_e1219[1][0], _e1219[1][1], _e1219[1][2]), vec3((_e1284 >= _e1288)));
                                                                 } else {
-                                                                    phi_1916_ = vec3<f32>(_e1240[0][0], _e1240[0][1], _e1240[0][2]);
+                                                                    phi_1915_ = vec3<f32>(_e1219[0][0], _e1219[0][1], _e1219[0][2]);
                                                                 }
-                                                                let _e1469 = phi_1916_;
-                                                                let _e1486 = ((((_e1451 * (_e1469.x - _e317)) + (_e1456 * (_e1469.y - _e356))) + (_e1459 * (_e1469.z - _e394))) / (((_e1451 * _e342) + (_e1456 * _e380)) + (_e1459 * _e418)));
-                                                                let _e1488 = select(_e1368, _e1486, (_e1486 < _e1368));
-                                                                let _e1490 = select(_e1360, _e1488, (_e1488 > _e1360));
-                                                                if (_e1490 >= _e468) {
-                                                                    let _e1492 = (_e1490 <= _e1038);
-                                                                    if _e1492 {
-                                                                        let _e1493 = (1f / _e1311);
-                                                                        phi_1956_ = type_24(_e1490, (_e1305 * _e1493), (_e1309 * _e1493), _e1100);
+                                                                let _e1448 = phi_1915_;
+                                                                let _e1465 = ((((_e1430 * (_e1448.x - _e317)) + (_e1435 * (_e1448.y - _e356))) + (_e1438 * (_e1448.z - _e394))) / (((_e1430 * _e342) + (_e1435 * _e380)) + (_e1438 * _e418)));
+                                                                let _e1467 = select(_e1347, _e1465, (_e1465 < _e1347));
+                                                                let _e1469 = select(_e1339, _e1467, (_e1467 > _e1339));
+                                                                if (_e1469 >= _e468) {
+                                                                    let _e1471 = (_e1469 <= _e1017);
+                                                                    if _e1471 {
+                                                                        let _e1472 = (1f / _e1290);
+                                                                        phi_1955_ = type_24(_e1469, (_e1284 * _e1472), (_e1288 * _e1472), _e1079);
                                                                     } else {
-                                                                        phi_1956_ = type_24();
+                                                                        phi_1955_ = type_24();
                                                                     }
-                                                                    let _e1498 = phi_1956_;
-                                                                    phi_1958_ = _e1498;
-                                                                    phi_1959_ = select(true, false, _e1492);
+                                                                    let _e1477 = phi_1955_;
+                                                                    phi_1957_ = _e1477;
+                                                                    phi_1958_ = select(true, false, _e1471);
                                                                 } else {
-                                                                    phi_1958_ = type_24();
-                                                                    phi_1959_ = true;
+                                                                    phi_1957_ = type_24();
+                                                                    phi_1958_ = true;
                                                                 }
-                                                                let _e1501 = phi_1958_;
-                                                                let _e1503 = phi_1959_;
-                                                                if _e1503 {
-                                                                    phi_1963_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1480 = phi_1957_;
+                                                                let _e1482 = phi_1958_;
+                                                                if _e1482 {
+                                                                    phi_1962_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1963_ = _e1501;
+                                                                    phi_1962_ = _e1480;
                                                                 }
-                                                                let _e1505 = phi_1963_;
-                                                                phi_1964_ = _e1505;
+                                                                let _e1484 = phi_1962_;
+                                                                phi_1963_ = _e1484;
                                                             }
-                                                            let _e1507 = phi_1964_;
-                                                            phi_1965_ = _e1507;
-                                                            phi_1966_ = _e1377;
+                                                            let _e1486 = phi_1963_;
+                                                            phi_1964_ = _e1486;
+                                                            phi_1965_ = _e1356;
                                                         }
-                                                        let _e1509 = phi_1965_;
-                                                        let _e1511 = phi_1966_;
-                                                        phi_1970_ = _e1509;
-                                                        phi_1971_ = _e1511;
+                                                        let _e1488 = phi_1964_;
+                                                        let _e1490 = phi_1965_;
+                                                        phi_1969_ = _e1488;
+                                                        phi_1970_ = _e1490;
                                                     }
-                                                    let _e1513 = phi_1970_;
-                                                    let _e1515 = phi_1971_;
-                                                    phi_1975_ = _e1513;
-                                                    phi_1976_ = _e1515;
+                                                    let _e1492 = phi_1969_;
+                                                    let _e1494 = phi_1970_;
+                                                    phi_1974_ = _e1492;
+                                                    phi_1975_ = _e1494;
                                                 } else {
-                                                    phi_1975_ = type_24();
-                                                    phi_1976_ = true;
+                                                    phi_1974_ = type_24();
+                                                    phi_1975_ = true;
                                                 }
-                                                let _e1517 = phi_1975_;
-                                                let _e1519 = phi_1976_;
-                                                if _e1519 {
-                                                    phi_1980_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1496 = phi_1974_;
+                                                let _e1498 = phi_1975_;
+                                                if _e1498 {
+                                                    phi_1979_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1980_ = _e1517;
+                                                    phi_1979_ = _e1496;
                                                 }
-                                                let _e1521 = phi_1980_;
-                                                if (_e1521.member_3 != 4294967295u) {
-                                                    if (_e1100 != 4294967295u) {
-                                                        phi_1992_ = type_8(0u, 8u);
-                                                        phi_1995_ = _e1521;
+                                                let _e1500 = phi_1979_;
+                                                if (_e1500.member_3 != 4294967295u) {
+                                                    if (_e1079 != 4294967295u) {
+                                                        phi_1991_ = type_8(0u, 8u);
+                                                        phi_1994_ = _e1500;
                                                         loop {
-                                                            let _e1526 = phi_1992_;
-                                                            let _e1528 = phi_1995_;
-                                                            if (_e1526.member < _e1526.member_1) {
-                                                                phi_1993_ = type_8((_e1526.member + 1u), _e1526.member_1);
-                                                                phi_2018_ = type_8(1u, _e1526.member);
+                                                            let _e1505 = phi_1991_;
+                                                            let _e1507 = phi_1994_;
+                                                            if (_e1505.member < _e1505.member_1) {
+                                                                phi_1992_ = type_8((_e1505.member + 1u), _e1505.member_1);
+                                                                phi_2017_ = type_8(1u, _e1505.member);
                                                             } else {
-                                                                phi_1993_ = _e1526;
-                                                                phi_2018_ = type_8(0u, type_8().member_1);
+                                                                phi_1992_ = _e1505;
+                                                                phi_2017_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1541 = phi_1993_;
-                                                            let _e1543 = phi_2018_;
-                                                            let _e1547 = (bitcast<i32>(_e1543.member) != 0i);
-                                                            if _e1547 {
-                                                                let _e1548 = (_e1543.member_1 < 8u);
-                                                                if _e1548 {
+                                                            let _e1520 = phi_1992_;
+                                                            let _e1522 = phi_2017_;
+                                                            let _e1526 = (bitcast<i32>(_e1522.member) != 0i);
+                                                            if _e1526 {
+                                                                let _e1527 = (_e1522.member_1 < 8u);
+                                                                if _e1527 {
                                                                 } else {
-                                                                    phi_4038_ = true;
+                                                                    phi_3880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1553 = local_9[_e1543.member_1].member;
-                                                                if (_e1528.member < _e1553) {
-                                                                    phi_2051_ = true;
+                                                                let _e1532 = local_9[_e1522.member_1].member;
+                                                                if (_e1507.member < _e1532) {
+                                                                    phi_2050_ = true;
                                                                 } else {
-                                                                    let _e1555 = local_9[_e1543.member_1].member;
-                                                                    if (_e1528.member == _e1555) {
-                                                                        let _e1560 = local_9[_e1543.member_1].member_3;
-                                                                        phi_2050_ = (_e1528.member_3 < _e1560);
+                                                                    let _e1534 = local_9[_e1522.member_1].member;
+                                                                    if (_e1507.member == _e1534) {
+                                                                        let _e1539 = local_9[_e1522.member_1].member_3;
+                                                                        phi_2049_ = (_e1507.member_3 < _e1539);
                                                                     } else {
-                                                                        phi_2050_ = false;
+                                                                        phi_2049_ = false;
                                                                     }
-                                                                    let _e1563 = phi_2050_;
-                                                                    phi_2051_ = _e1563;
+                                                                    let _e1542 = phi_2049_;
+                                                                    phi_2050_ = _e1542;
                                                                 }
-                                                                let _e1565 = phi_2051_;
-                                                                if _e1565 {
-                                                                    if _e1548 {
+                                                                let _e1544 = phi_2050_;
+                                                                if _e1544 {
+                                                                    if _e1527 {
                                                                     } else {
-                                                                        phi_4038_ = true;
+                                                                        phi_3880_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1566 = local_9[_e1543.member_1];
-                                                                    local_9[_e1543.member_1] = type_24(_e1528.member, _e1528.member_1, _e1528.member_2, _e1528.member_3);
-                                                                    phi_2072_ = type_24(_e1566.member, _e1566.member_1, _e1566.member_2, _e1566.member_3);
+                                                                    let _e1545 = local_9[_e1522.member_1];
+                                                                    local_9[_e1522.member_1] = type_24(_e1507.member, _e1507.member_1, _e1507.member_2, _e1507.member_3);
+                                                                    phi_2071_ = type_24(_e1545.member, _e1545.member_1, _e1545.member_2, _e1545.member_3);
                                                                 } else {
-                                                                    phi_2072_ = _e1528;
+                                                                    phi_2071_ = _e1507;
                                                                 }
-                                                                let _e1577 = phi_2072_;
-                                                                phi_1996_ = _e1577;
+                                                                let _e1556 = phi_2071_;
+                                                                phi_1995_ = _e1556;
                                                             } else {
-                                                                phi_1996_ = type_24();
+                                                                phi_1995_ = type_24();
                                                             }
-                                                            let _e1579 = phi_1996_;
+                                                            let _e1558 = phi_1995_;
                                                             continue;
                                                             continuing {
-                                                                phi_1992_ = _e1541;
-                                                                phi_1995_ = _e1579;
-                                                                phi_4038_ = _e1239;
-                                                                break if !(_e1547);
+                                                                phi_1991_ = _e1520;
+                                                                phi_1994_ = _e1558;
+                                                                phi_3880_ = _e1218;
+                                                                break if !(_e1526);
                                                             }
                                                         }
-                                                        let _e1582 = phi_4038_;
-                                                        phi_4259_ = _e1038;
-                                                        phi_4097_ = _e1582;
-                                                        if _e1582 {
+                                                        let _e1561 = phi_3880_;
+                                                        phi_4086_ = _e1017;
+                                                        phi_3939_ = _e1561;
+                                                        if _e1561 {
                                                             break;
                                                         }
-                                                        let _e1585 = local_9[7u].member_3;
-                                                        if (_e1585 != 4294967295u) {
-                                                            let _e1589 = local_9[7u].member;
-                                                            phi_4322_ = _e1589;
+                                                        let _e1564 = local_9[7u].member_3;
+                                                        if (_e1564 != 4294967295u) {
+                                                            let _e1568 = local_9[7u].member;
+                                                            phi_4149_ = _e1568;
                                                         } else {
-                                                            phi_4322_ = _e1038;
+                                                            phi_4149_ = _e1017;
                                                         }
-                                                        let _e1591 = phi_4322_;
-                                                        phi_4321_ = _e1591;
-                                                        phi_4100_ = _e1582;
+                                                        let _e1570 = phi_4149_;
+                                                        phi_4148_ = _e1570;
+                                                        phi_3942_ = _e1561;
                                                     } else {
-                                                        phi_4321_ = _e1038;
-                                                        phi_4100_ = _e1239;
+                                                        phi_4148_ = _e1017;
+                                                        phi_3942_ = _e1218;
                                                     }
-                                                    let _e1593 = phi_4321_;
-                                                    let _e1595 = phi_4100_;
-                                                    phi_4320_ = _e1593;
-                                                    phi_4099_ = _e1595;
+                                                    let _e1572 = phi_4148_;
+                                                    let _e1574 = phi_3942_;
+                                                    phi_4147_ = _e1572;
+                                                    phi_3941_ = _e1574;
                                                 } else {
-                                                    phi_4320_ = _e1038;
-                                                    phi_4099_ = _e1239;
+                                                    phi_4147_ = _e1017;
+                                                    phi_3941_ = _e1218;
                                                 }
-                                                let _e1597 = phi_4320_;
-                                                let _e1599 = phi_4099_;
-                                                phi_4319_ = _e1597;
-                                                phi_4098_ = _e1599;
+                                                let _e1576 = phi_4147_;
+                                                let _e1578 = phi_3941_;
+                                                phi_4146_ = _e1576;
+                                                phi_3940_ = _e1578;
                                             } else {
-                                                phi_4319_ = _e1038;
-                                                phi_4098_ = _e1040;
+                                                phi_4146_ = _e1017;
+                                                phi_3940_ = _e1019;
                                             }
-                                            let _e1601 = phi_4319_;
-                                            let _e1603 = phi_4098_;
+                                            let _e1580 = phi_4146_;
+                                            let _e1582 = phi_3940_;
                                             continue;
                                             continuing {
-                                                phi_4026_ = _e1601;
-                                                phi_3951_ = _e1603;
-                                                phi_1049_ = _e1055;
-                                                phi_4259_ = _e1601;
-                                                phi_4097_ = _e1603;
-                                                break if !(_e1061);
+                                                phi_3868_ = _e1580;
+                                                phi_3793_ = _e1582;
+                                                phi_1048_ = _e1034;
+                                                phi_4086_ = _e1580;
+                                                phi_3939_ = _e1582;
+                                                break if !(_e1040);
                                             }
                                         }
-                                        let _e1606 = phi_4259_;
-                                        let _e1608 = phi_4097_;
-                                        phi_4102_ = _e1608;
-                                        if _e1608 {
+                                        let _e1585 = phi_4086_;
+                                        let _e1587 = phi_3939_;
+                                        phi_3944_ = _e1587;
+                                        if _e1587 {
                                             break;
                                         }
-                                        phi_4224_ = _e1606;
-                                        phi_4106_ = _e1608;
-                                        phi_3466_ = _e549;
-                                        phi_3467_ = false;
-                                        phi_3468_ = _e553;
+                                        phi_4051_ = _e1585;
+                                        phi_3948_ = _e1587;
+                                        phi_3323_ = _e549;
+                                        phi_3324_ = false;
+                                        phi_3325_ = _e553;
                                     } else {
                                         if (_e549.member_1 >= _e97) {
-                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_55(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_55(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2878_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_55(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_55(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e549.member_1 < _e97) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
                                             let _e566 = ((1u + _e268) % 4u);
                                             if (_e566 < 4u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
                                             let _e571 = global_3.member[_e549.member_1][_e566];
-                                            let _e573 = ((1u + _e267) % 4u);
-                                            if (_e573 < 4u) {
+                                            let _e573 = (_e571 >> bitcast<u32>(11u));
+                                            let _e575 = ((1u + _e267) % 4u);
+                                            if (_e575 < 4u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e578 = global_3.member[_e549.member_1][_e573];
-                                            let _e580 = ((1u + _e269) % 4u);
-                                            if (_e580 < 4u) {
+                                            let _e580 = global_3.member[_e549.member_1][_e575];
+                                            let _e582 = (_e580 >> bitcast<u32>(11u));
+                                            let _e584 = ((1u + _e269) % 4u);
+                                            if (_e584 < 4u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e585 = global_3.member[_e549.member_1][_e580];
-                                            let _e587 = ((_e268 + 1u) % 4u);
-                                            if (_e587 < 4u) {
-                                            } else {
-                                                phi_4102_ = true;
-                                                break;
-                                            }
-                                            let _e592 = global_3.member[_e549.member_1][_e587];
-                                            let _e594 = (_e592 >> bitcast<u32>(11u));
-                                            let _e596 = ((_e267 + 1u) % 4u);
-                                            if (_e596 < 4u) {
-                                            } else {
-                                                phi_4102_ = true;
-                                                break;
-                                            }
-                                            let _e601 = global_3.member[_e549.member_1][_e596];
-                                            let _e603 = (_e601 >> bitcast<u32>(11u));
-                                            let _e605 = ((_e269 + 1u) % 4u);
-                                            if (_e605 < 4u) {
-                                            } else {
-                                                phi_4102_ = true;
-                                                break;
-                                            }
-                                            let _e610 = global_3.member[_e549.member_1][_e605];
-                                            let _e612 = (_e610 >> bitcast<u32>(11u));
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.x - _e549.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e636 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.y - _e549.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e637 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.z - _e549.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e639 = select(_e148, _e635, (_e635 > _e148));
-                                            let _e641 = select(_e148, _e636, (_e636 > _e148));
-                                            let _e643 = select(_e148, _e637, (_e637 > _e148));
-                                            let _e668 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e639));
-                                            let _e673 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
-                                            let _e677 = bitcast<u32>((f32(bitcast<i32>((_e578 & 1023u))) * _e641));
-                                            let _e682 = (bitcast<i32>((_e578 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
-                                            let _e686 = bitcast<u32>((f32(bitcast<i32>((_e585 & 1023u))) * _e643));
-                                            let _e691 = (bitcast<i32>((_e585 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e589 = global_3.member[_e549.member_1][_e584];
+                                            let _e591 = (_e589 >> bitcast<u32>(11u));
+                                            let _e614 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.x - _e549.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e615 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.y - _e549.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e616 = (bitcast<f32>((bitcast<u32>((_e549.member.member_1.z - _e549.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e618 = select(_e148, _e614, (_e614 > _e148));
+                                            let _e620 = select(_e148, _e615, (_e615 > _e148));
+                                            let _e622 = select(_e148, _e616, (_e616 > _e148));
+                                            let _e647 = bitcast<u32>((f32(bitcast<i32>((_e571 & 1023u))) * _e618));
+                                            let _e652 = (bitcast<i32>((_e571 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e655 = bitcast<f32>((_e647 & bitcast<u32>(_e652)));
+                                            let _e656 = bitcast<u32>((f32(bitcast<i32>((_e580 & 1023u))) * _e620));
+                                            let _e661 = (bitcast<i32>((_e580 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e664 = bitcast<f32>((_e656 & bitcast<u32>(_e661)));
+                                            let _e665 = bitcast<u32>((f32(bitcast<i32>((_e589 & 1023u))) * _e622));
+                                            let _e670 = (bitcast<i32>((_e589 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e673 = bitcast<f32>((_e665 & bitcast<u32>(_e670)));
+                                            let _e677 = bitcast<f32>((_e647 & bitcast<u32>(~(_e652))));
+                                            let _e681 = bitcast<f32>((_e656 & bitcast<u32>(~(_e661))));
+                                            let _e685 = bitcast<f32>((_e665 & bitcast<u32>(~(_e670))));
+                                            let _e686 = bitcast<u32>((f32(bitcast<i32>((_e573 & 1023u))) * _e618));
+                                            let _e691 = (bitcast<i32>((_e573 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
                                             let _e694 = bitcast<f32>((_e686 & bitcast<u32>(_e691)));
-                                            let _e698 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
-                                            let _e702 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
-                                            let _e706 = bitcast<f32>((_e686 & bitcast<u32>(~(_e691))));
-                                            let _e707 = bitcast<u32>((f32(bitcast<i32>((_e594 & 1023u))) * _e639));
-                                            let _e712 = (bitcast<i32>((_e594 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
-                                            let _e716 = bitcast<u32>((f32(bitcast<i32>((_e603 & 1023u))) * _e641));
-                                            let _e721 = (bitcast<i32>((_e603 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
-                                            let _e725 = bitcast<u32>((f32(bitcast<i32>((_e612 & 1023u))) * _e643));
-                                            let _e730 = (bitcast<i32>((_e612 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e733 = bitcast<f32>((_e725 & bitcast<u32>(_e730)));
-                                            let _e737 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
-                                            let _e741 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
-                                            let _e745 = bitcast<f32>((_e725 & bitcast<u32>(~(_e730))));
-                                            let _e746 = (_e549.member.member.x + _e676);
-                                            let _e747 = (_e549.member.member.y + _e685);
-                                            let _e748 = (_e549.member.member.z + _e694);
-                                            let _e751 = (_e549.member.member_1.x - _e715);
-                                            let _e752 = (_e549.member.member_1.y - _e724);
-                                            let _e753 = (_e549.member.member_1.z - _e733);
-                                            let _e772 = (_e751 - _e746);
-                                            let _e773 = (_e752 - _e747);
-                                            let _e774 = (_e753 - _e748);
-                                            let _e776 = select(_e773, _e772, (_e772 > _e773));
-                                            let _e778 = select(_e774, _e776, (_e776 > _e774));
-                                            if (_e778 < (1024f * _e148)) {
-                                                phi_2722_ = 0u;
+                                            let _e695 = bitcast<u32>((f32(bitcast<i32>((_e582 & 1023u))) * _e620));
+                                            let _e700 = (bitcast<i32>((_e582 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e703 = bitcast<f32>((_e695 & bitcast<u32>(_e700)));
+                                            let _e704 = bitcast<u32>((f32(bitcast<i32>((_e591 & 1023u))) * _e622));
+                                            let _e709 = (bitcast<i32>((_e591 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e712 = bitcast<f32>((_e704 & bitcast<u32>(_e709)));
+                                            let _e716 = bitcast<f32>((_e686 & bitcast<u32>(~(_e691))));
+                                            let _e720 = bitcast<f32>((_e695 & bitcast<u32>(~(_e700))));
+                                            let _e724 = bitcast<f32>((_e704 & bitcast<u32>(~(_e709))));
+                                            let _e725 = (_e549.member.member.x + _e655);
+                                            let _e726 = (_e549.member.member.y + _e664);
+                                            let _e727 = (_e549.member.member.z + _e673);
+                                            let _e730 = (_e549.member.member_1.x - _e694);
+                                            let _e731 = (_e549.member.member_1.y - _e703);
+                                            let _e732 = (_e549.member.member_1.z - _e712);
+                                            let _e751 = (_e730 - _e725);
+                                            let _e752 = (_e731 - _e726);
+                                            let _e753 = (_e732 - _e727);
+                                            let _e755 = select(_e752, _e751, (_e751 > _e752));
+                                            let _e757 = select(_e753, _e755, (_e755 > _e753));
+                                            if (_e757 < (1024f * _e148)) {
+                                                phi_2579_ = 0u;
                                             } else {
-                                                phi_2722_ = select(2u, 1u, (_e778 < (2097152f * _e148)));
+                                                phi_2579_ = select(2u, 1u, (_e757 < (2097152f * _e148)));
                                             }
-                                            let _e785 = phi_2722_;
-                                            switch bitcast<i32>(_e785) {
+                                            let _e764 = phi_2579_;
+                                            switch bitcast<i32>(_e764) {
                                                 case 0: {
-                                                    phi_2728_ = 1u;
+                                                    phi_2585_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2728_ = 2u;
+                                                    phi_2585_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2728_ = 3u;
+                                                    phi_2585_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2728_ = u32();
+                                                    phi_2585_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e788 = phi_2728_;
-                                            let _e794 = global_3.member[_e549.member_1][0u];
-                                            let _e798 = global_3.member[_e549.member_1][1u];
-                                            let _e802 = global_3.member[_e549.member_1][2u];
-                                            let _e806 = global_3.member[_e549.member_1][3u];
-                                            let _e818 = (((_e798 >> bitcast<u32>(22i)) | ((_e802 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e806 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e819 = (_e794 & 268435455u);
-                                            let _e820 = (_e818 & 268435455u);
-                                            let _e823 = ((_e794 >> bitcast<u32>(28u)) & 7u);
-                                            let _e831 = ((_e794 >> bitcast<u32>(31i)) | (((_e818 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e832 = (_e823 != 0u);
-                                            if (_e823 == 0u) {
-                                                phi_2983_ = _e819;
+                                            let _e767 = phi_2585_;
+                                            let _e773 = global_3.member[_e549.member_1][0u];
+                                            let _e777 = global_3.member[_e549.member_1][1u];
+                                            let _e781 = global_3.member[_e549.member_1][2u];
+                                            let _e785 = global_3.member[_e549.member_1][3u];
+                                            let _e797 = (((_e777 >> bitcast<u32>(22i)) | ((_e781 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e785 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e798 = (_e773 & 268435455u);
+                                            let _e799 = (_e797 & 268435455u);
+                                            let _e802 = ((_e773 >> bitcast<u32>(28u)) & 7u);
+                                            let _e810 = ((_e773 >> bitcast<u32>(31i)) | (((_e797 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e811 = (_e802 != 0u);
+                                            if (_e802 == 0u) {
+                                                phi_2840_ = _e798;
                                             } else {
-                                                if (_e823 == 7u) {
-                                                    phi_2982_ = 2147483648u;
+                                                if (_e802 == 7u) {
+                                                    phi_2839_ = 2147483648u;
                                                 } else {
-                                                    phi_2982_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (_e820 & 268435455u));
+                                                    phi_2839_ = ((2147483648u | (_e802 << bitcast<u32>(28u))) | (_e799 & 268435455u));
                                                 }
-                                                let _e841 = phi_2982_;
-                                                phi_2983_ = _e841;
+                                                let _e820 = phi_2839_;
+                                                phi_2840_ = _e820;
                                             }
-                                            let _e843 = phi_2983_;
-                                            if _e832 {
-                                                let _e844 = (_e823 != 7u);
-                                                if _e844 {
-                                                    phi_2993_ = (_e820 + (_e823 * ((3u * _e788) + 1u)));
+                                            let _e822 = phi_2840_;
+                                            if _e811 {
+                                                let _e823 = (_e802 != 7u);
+                                                if _e823 {
+                                                    phi_2850_ = (_e799 + (_e802 * ((3u * _e767) + 1u)));
                                                 } else {
-                                                    phi_2993_ = u32();
+                                                    phi_2850_ = u32();
                                                 }
-                                                let _e848 = phi_2993_;
-                                                phi_2995_ = _e848;
-                                                phi_2996_ = select(true, false, _e844);
+                                                let _e827 = phi_2850_;
+                                                phi_2852_ = _e827;
+                                                phi_2853_ = select(true, false, _e823);
                                             } else {
-                                                phi_2995_ = u32();
-                                                phi_2996_ = true;
+                                                phi_2852_ = u32();
+                                                phi_2853_ = true;
                                             }
-                                            let _e851 = phi_2995_;
-                                            let _e853 = phi_2996_;
-                                            if (_e831 == 0u) {
-                                                phi_3017_ = (_e819 + select(0u, 1u, !(_e832)));
+                                            let _e830 = phi_2852_;
+                                            let _e832 = phi_2853_;
+                                            if (_e810 == 0u) {
+                                                phi_2874_ = (_e798 + select(0u, 1u, !(_e811)));
                                             } else {
-                                                if (_e831 == 7u) {
-                                                    phi_3016_ = 2147483648u;
+                                                if (_e810 == 7u) {
+                                                    phi_2873_ = 2147483648u;
                                                 } else {
-                                                    phi_3016_ = ((2147483648u | (_e831 << bitcast<u32>(28u))) | (select(_e851, _e820, _e853) & 268435455u));
+                                                    phi_2873_ = ((2147483648u | (_e810 << bitcast<u32>(28u))) | (select(_e830, _e799, _e832) & 268435455u));
                                                 }
-                                                let _e866 = phi_3016_;
-                                                phi_3017_ = _e866;
+                                                let _e845 = phi_2873_;
+                                                phi_2874_ = _e845;
                                             }
-                                            let _e868 = phi_3017_;
-                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e746, (_e549.member.member.x + _e698), _e751, (_e549.member.member_1.x - _e737)), vec4<f32>(_e747, (_e549.member.member.y + _e702), _e752, (_e549.member.member_1.y - _e741)), vec4<f32>(_e748, (_e549.member.member.z + _e706), _e753, (_e549.member.member_1.z - _e745))), type_55(type_28((_e549.member.member + vec4<f32>(_e676, _e685, _e694, 0f)), (_e549.member.member_1 - vec4<f32>(_e715, _e724, _e733, 0f))), _e843), type_55(type_28((_e549.member.member + vec4<f32>(_e698, _e702, _e706, 0f)), (_e549.member.member_1 - vec4<f32>(_e737, _e741, _e745, 0f))), _e868));
+                                            let _e847 = phi_2874_;
+                                            phi_2878_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e725, (_e549.member.member.x + _e677), _e730, (_e549.member.member_1.x - _e716)), vec4<f32>(_e726, (_e549.member.member.y + _e681), _e731, (_e549.member.member_1.y - _e720)), vec4<f32>(_e727, (_e549.member.member.z + _e685), _e732, (_e549.member.member_1.z - _e724))), type_55(type_28((_e549.member.member + vec4<f32>(_e655, _e664, _e673, 0f)), (_e549.member.member_1 - vec4<f32>(_e694, _e703, _e712, 0f))), _e822), type_55(type_28((_e549.member.member + vec4<f32>(_e677, _e681, _e685, 0f)), (_e549.member.member_1 - vec4<f32>(_e716, _e720, _e724, 0f))), _e847));
                                         }
-                                        let _e873 = phi_3021_;
-                                        let _e884 = ((_e873.member[0].x - _e340) * _e345);
-                                        let _e885 = ((_e873.member[0].y - _e340) * _e345);
-                                        let _e886 = ((_e873.member[0].z - _e341) * _e345);
-                                        let _e887 = ((_e873.member[0].w - _e341) * _e345);
-                                        let _e897 = ((_e873.member[1].x - _e378) * _e383);
-                                        let _e898 = ((_e873.member[1].y - _e378) * _e383);
-                                        let _e899 = ((_e873.member[1].z - _e379) * _e383);
-                                        let _e900 = ((_e873.member[1].w - _e379) * _e383);
-                                        let _e910 = ((_e873.member[2].x - _e416) * _e421);
-                                        let _e911 = ((_e873.member[2].y - _e416) * _e421);
-                                        let _e912 = ((_e873.member[2].z - _e417) * _e421);
-                                        let _e913 = ((_e873.member[2].w - _e417) * _e421);
-                                        let _e915 = select(_e912, _e910, (_e910 < _e912));
-                                        let _e917 = select(_e913, _e911, (_e911 < _e913));
-                                        let _e919 = select(_e912, _e910, (_e910 > _e912));
-                                        let _e921 = select(_e913, _e911, (_e911 > _e913));
-                                        let _e923 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e925 = select(_e887, _e885, (_e885 < _e887));
-                                        let _e927 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e929 = select(_e900, _e898, (_e898 < _e900));
-                                        let _e931 = select(_e927, _e923, (_e923 > _e927));
-                                        let _e933 = select(_e929, _e925, (_e925 > _e929));
-                                        let _e935 = select(_e915, _e931, (_e931 > _e915));
-                                        let _e937 = select(_e917, _e933, (_e933 > _e917));
-                                        let _e939 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e941 = select(_e887, _e885, (_e885 > _e887));
-                                        let _e943 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e945 = select(_e900, _e898, (_e898 > _e900));
-                                        let _e947 = select(_e943, _e939, (_e939 < _e943));
-                                        let _e949 = select(_e945, _e941, (_e941 < _e945));
-                                        let _e954 = -(_e915);
-                                        let _e955 = -(_e917);
-                                        let _e962 = (select(_e919, _e947, (_e947 < _e919)) + (select(_e954, _e919, (_e919 > _e954)) * 0.0000019073523f));
-                                        let _e963 = (select(_e921, _e949, (_e949 < _e921)) + (select(_e955, _e921, (_e921 > _e955)) * 0.0000019073523f));
-                                        let _e965 = select(_e468, _e935, (_e935 > _e468));
-                                        let _e967 = select(_e468, _e937, (_e937 > _e468));
-                                        let _e972 = (_e965 <= select(_e511, _e962, (_e962 < _e511)));
-                                        let _e973 = (_e967 <= select(_e511, _e963, (_e963 < _e511)));
-                                        let _e974 = (_e965 <= _e967);
-                                        if _e972 {
-                                            if _e973 {
-                                                if _e974 {
-                                                    phi_3366_ = _e873.member_2;
+                                        let _e852 = phi_2878_;
+                                        let _e863 = ((_e852.member[0].x - _e340) * _e345);
+                                        let _e864 = ((_e852.member[0].y - _e340) * _e345);
+                                        let _e865 = ((_e852.member[0].z - _e341) * _e345);
+                                        let _e866 = ((_e852.member[0].w - _e341) * _e345);
+                                        let _e876 = ((_e852.member[1].x - _e378) * _e383);
+                                        let _e877 = ((_e852.member[1].y - _e378) * _e383);
+                                        let _e878 = ((_e852.member[1].z - _e379) * _e383);
+                                        let _e879 = ((_e852.member[1].w - _e379) * _e383);
+                                        let _e889 = ((_e852.member[2].x - _e416) * _e421);
+                                        let _e890 = ((_e852.member[2].y - _e416) * _e421);
+                                        let _e891 = ((_e852.member[2].z - _e417) * _e421);
+                                        let _e892 = ((_e852.member[2].w - _e417) * _e421);
+                                        let _e894 = select(_e891, _e889, (_e889 < _e891));
+                                        let _e896 = select(_e892, _e890, (_e890 < _e892));
+                                        let _e898 = select(_e891, _e889, (_e889 > _e891));
+                                        let _e900 = select(_e892, _e890, (_e890 > _e892));
+                                        let _e902 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e904 = select(_e866, _e864, (_e864 < _e866));
+                                        let _e906 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e908 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e910 = select(_e906, _e902, (_e902 > _e906));
+                                        let _e912 = select(_e908, _e904, (_e904 > _e908));
+                                        let _e914 = select(_e894, _e910, (_e910 > _e894));
+                                        let _e916 = select(_e896, _e912, (_e912 > _e896));
+                                        let _e918 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e920 = select(_e866, _e864, (_e864 > _e866));
+                                        let _e922 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e924 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e926 = select(_e922, _e918, (_e918 < _e922));
+                                        let _e928 = select(_e924, _e920, (_e920 < _e924));
+                                        let _e933 = -(_e894);
+                                        let _e934 = -(_e896);
+                                        let _e941 = (select(_e898, _e926, (_e926 < _e898)) + (select(_e933, _e898, (_e898 > _e933)) * 0.0000019073523f));
+                                        let _e942 = (select(_e900, _e928, (_e928 < _e900)) + (select(_e934, _e900, (_e900 > _e934)) * 0.0000019073523f));
+                                        let _e944 = select(_e468, _e914, (_e914 > _e468));
+                                        let _e946 = select(_e468, _e916, (_e916 > _e468));
+                                        let _e951 = (_e944 <= select(_e511, _e941, (_e941 < _e511)));
+                                        let _e952 = (_e946 <= select(_e511, _e942, (_e942 < _e511)));
+                                        let _e953 = (_e944 <= _e946);
+                                        if _e951 {
+                                            if _e952 {
+                                                if _e953 {
+                                                    phi_3223_ = _e852.member_2;
                                                 } else {
-                                                    phi_3366_ = _e873.member_1;
+                                                    phi_3223_ = _e852.member_1;
                                                 }
-                                                let _e978 = phi_3366_;
-                                                let _e1000 = (_e553 % 128u);
-                                                let _e1001 = (_e1000 < 128u);
-                                                if _e1001 {
+                                                let _e957 = phi_3223_;
+                                                let _e979 = (_e553 % 128u);
+                                                let _e980 = (_e979 < 128u);
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1000] = _e978.member_1;
-                                                if _e1001 {
+                                                local_8[_e979] = _e957.member_1;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1000] = _e978.member.member.x;
-                                                if _e1001 {
+                                                local_7[_e979] = _e957.member.member.x;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1000] = _e978.member.member.y;
-                                                if _e1001 {
+                                                local_6[_e979] = _e957.member.member.y;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1000] = _e978.member.member.z;
-                                                if _e1001 {
+                                                local_5[_e979] = _e957.member.member.z;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1000] = _e978.member.member_1.x;
-                                                if _e1001 {
+                                                local_4[_e979] = _e957.member.member_1.x;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1000] = _e978.member.member_1.y;
-                                                if _e1001 {
+                                                local_3[_e979] = _e957.member.member_1.y;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1000] = _e978.member.member_1.z;
-                                                if _e1001 {
+                                                local_2[_e979] = _e957.member.member_1.z;
+                                                if _e980 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_10[_e1000] = select(_e967, _e965, (_e965 > _e967));
-                                                if _e974 {
-                                                    phi_3443_ = _e873.member_1;
+                                                local_10[_e979] = select(_e946, _e944, (_e944 > _e946));
+                                                if _e953 {
+                                                    phi_3300_ = _e852.member_1;
                                                 } else {
-                                                    phi_3443_ = _e873.member_2;
+                                                    phi_3300_ = _e852.member_2;
                                                 }
-                                                let _e1014 = phi_3443_;
-                                                phi_3444_ = _e1014;
-                                                phi_3445_ = (_e553 + 1u);
+                                                let _e993 = phi_3300_;
+                                                phi_3301_ = _e993;
+                                                phi_3302_ = (_e553 + 1u);
                                             } else {
-                                                phi_3444_ = type_55();
-                                                phi_3445_ = u32();
+                                                phi_3301_ = type_55();
+                                                phi_3302_ = u32();
                                             }
-                                            let _e1016 = phi_3444_;
-                                            let _e1018 = phi_3445_;
-                                            phi_3447_ = _e1016;
-                                            phi_3448_ = _e1018;
-                                            phi_3449_ = select(true, false, _e973);
+                                            let _e995 = phi_3301_;
+                                            let _e997 = phi_3302_;
+                                            phi_3304_ = _e995;
+                                            phi_3305_ = _e997;
+                                            phi_3306_ = select(true, false, _e952);
                                         } else {
-                                            phi_3447_ = type_55();
-                                            phi_3448_ = u32();
-                                            phi_3449_ = true;
+                                            phi_3304_ = type_55();
+                                            phi_3305_ = u32();
+                                            phi_3306_ = true;
                                         }
-                                        let _e1021 = phi_3447_;
-                                        let _e1023 = phi_3448_;
-                                        let _e1025 = phi_3449_;
-                                        if _e1025 {
-                                            if _e972 {
-                                                phi_3458_ = _e873.member_1;
+                                        let _e1000 = phi_3304_;
+                                        let _e1002 = phi_3305_;
+                                        let _e1004 = phi_3306_;
+                                        if _e1004 {
+                                            if _e951 {
+                                                phi_3315_ = _e852.member_1;
                                             } else {
-                                                phi_3458_ = _e873.member_2;
+                                                phi_3315_ = _e852.member_2;
                                             }
-                                            let _e1029 = phi_3458_;
-                                            phi_3463_ = _e1029;
-                                            phi_3464_ = select(_e973, true, _e972);
+                                            let _e1008 = phi_3315_;
+                                            phi_3320_ = _e1008;
+                                            phi_3321_ = select(_e952, true, _e951);
                                         } else {
-                                            phi_3463_ = _e1021;
-                                            phi_3464_ = _e551;
+                                            phi_3320_ = _e1000;
+                                            phi_3321_ = _e551;
                                         }
-                                        let _e1032 = phi_3463_;
-                                        let _e1034 = phi_3464_;
-                                        phi_4224_ = _e511;
-                                        phi_4106_ = _e509;
-                                        phi_3466_ = _e1032;
-                                        phi_3467_ = _e1034;
-                                        phi_3468_ = select(_e1023, _e553, _e1025);
+                                        let _e1011 = phi_3320_;
+                                        let _e1013 = phi_3321_;
+                                        phi_4051_ = _e511;
+                                        phi_3948_ = _e509;
+                                        phi_3323_ = _e1011;
+                                        phi_3324_ = _e1013;
+                                        phi_3325_ = select(_e1002, _e553, _e1004);
                                     }
-                                    let _e1610 = phi_4224_;
-                                    let _e1612 = phi_4106_;
-                                    let _e1614 = phi_3466_;
-                                    let _e1616 = phi_3467_;
-                                    let _e1618 = phi_3468_;
-                                    phi_4223_ = _e1610;
-                                    phi_4105_ = _e1612;
-                                    phi_3469_ = _e1614;
-                                    phi_3470_ = (_e515 - 1u);
-                                    phi_3471_ = _e1616;
-                                    phi_3472_ = _e1618;
+                                    let _e1589 = phi_4051_;
+                                    let _e1591 = phi_3948_;
+                                    let _e1593 = phi_3323_;
+                                    let _e1595 = phi_3324_;
+                                    let _e1597 = phi_3325_;
+                                    phi_4050_ = _e1589;
+                                    phi_3947_ = _e1591;
+                                    phi_3326_ = _e1593;
+                                    phi_3327_ = (_e515 - 1u);
+                                    phi_3328_ = _e1595;
+                                    phi_3329_ = _e1597;
                                 } else {
-                                    phi_4223_ = _e511;
-                                    phi_4105_ = _e509;
-                                    phi_3469_ = _e549;
-                                    phi_3470_ = _e515;
-                                    phi_3471_ = _e551;
-                                    phi_3472_ = _e553;
+                                    phi_4050_ = _e511;
+                                    phi_3947_ = _e509;
+                                    phi_3326_ = _e549;
+                                    phi_3327_ = _e515;
+                                    phi_3328_ = _e551;
+                                    phi_3329_ = _e553;
                                 }
-                                let _e1620 = phi_4223_;
-                                let _e1622 = phi_4105_;
-                                let _e1624 = phi_3469_;
-                                let _e1626 = phi_3470_;
-                                let _e1628 = phi_3471_;
-                                let _e1630 = phi_3472_;
-                                phi_4222_ = _e1620;
-                                phi_4104_ = _e1622;
-                                phi_3473_ = _e1624;
-                                phi_3474_ = _e1626;
-                                phi_3475_ = _e1628;
-                                phi_3476_ = _e1630;
+                                let _e1599 = phi_4050_;
+                                let _e1601 = phi_3947_;
+                                let _e1603 = phi_3326_;
+                                let _e1605 = phi_3327_;
+                                let _e1607 = phi_3328_;
+                                let _e1609 = phi_3329_;
+                                phi_4049_ = _e1599;
+                                phi_3946_ = _e1601;
+                                phi_3330_ = _e1603;
+                                phi_3331_ = _e1605;
+                                phi_3332_ = _e1607;
+                                phi_3333_ = _e1609;
                             } else {
-                                phi_4222_ = _e511;
-                                phi_4104_ = _e509;
-                                phi_3473_ = type_55();
-                                phi_3474_ = u32();
-                                phi_3475_ = bool();
-                                phi_3476_ = u32();
+                                phi_4049_ = _e511;
+                                phi_3946_ = _e509;
+                                phi_3330_ = type_55();
+                                phi_3331_ = u32();
+                                phi_3332_ = bool();
+                                phi_3333_ = u32();
                             }
-                            let _e1632 = phi_4222_;
-                            let _e1634 = phi_4104_;
-                            let _e1636 = phi_3473_;
-                            let _e1638 = phi_3474_;
-                            let _e1640 = phi_3475_;
-                            let _e1642 = phi_3476_;
-                            phi_4221_ = _e1632;
-                            phi_4103_ = _e1634;
-                            phi_924_ = _e1636;
-                            phi_927_ = _e1638;
-                            phi_929_ = _e1640;
-                            phi_931_ = _e1642;
-                            phi_3477_ = _e523;
+                            let _e1611 = phi_4049_;
+                            let _e1613 = phi_3946_;
+                            let _e1615 = phi_3330_;
+                            let _e1617 = phi_3331_;
+                            let _e1619 = phi_3332_;
+                            let _e1621 = phi_3333_;
+                            phi_4048_ = _e1611;
+                            phi_3945_ = _e1613;
+                            phi_923_ = _e1615;
+                            phi_926_ = _e1617;
+                            phi_928_ = _e1619;
+                            phi_930_ = _e1621;
+                            phi_3334_ = _e523;
                         } else {
-                            phi_4221_ = _e511;
-                            phi_4103_ = _e509;
-                            phi_924_ = type_55();
-                            phi_927_ = u32();
-                            phi_929_ = bool();
-                            phi_931_ = u32();
-                            phi_3477_ = false;
+                            phi_4048_ = _e511;
+                            phi_3945_ = _e509;
+                            phi_923_ = type_55();
+                            phi_926_ = u32();
+                            phi_928_ = bool();
+                            phi_930_ = u32();
+                            phi_3334_ = false;
                         }
-                        let _e1644 = phi_4221_;
-                        let _e1646 = phi_4103_;
-                        let _e1648 = phi_924_;
-                        let _e1650 = phi_927_;
-                        let _e1652 = phi_929_;
-                        let _e1654 = phi_931_;
-                        let _e1656 = phi_3477_;
+                        let _e1623 = phi_4048_;
+                        let _e1625 = phi_3945_;
+                        let _e1627 = phi_923_;
+                        let _e1629 = phi_926_;
+                        let _e1631 = phi_928_;
+                        let _e1633 = phi_930_;
+                        let _e1635 = phi_3334_;
                         continue;
                         continuing {
-                            phi_3954_ = _e1646;
-                            phi_3853_ = _e1644;
-                            phi_923_ = _e1648;
-                            phi_926_ = _e1650;
-                            phi_928_ = _e1652;
-                            phi_930_ = _e1654;
-                            phi_4102_ = _e1646;
-                            break if !(_e1656);
+                            phi_3796_ = _e1625;
+                            phi_3710_ = _e1623;
+                            phi_922_ = _e1627;
+                            phi_925_ = _e1629;
+                            phi_927_ = _e1631;
+                            phi_929_ = _e1633;
+                            phi_3944_ = _e1625;
+                            break if !(_e1635);
                         }
                     }
-                    let _e1659 = phi_4102_;
-                    if _e1659 {
+                    let _e1638 = phi_3944_;
+                    if _e1638 {
                         break;
                     }
-                    phi_3484_ = type_8(0u, 8u);
+                    phi_3341_ = type_8(0u, 8u);
                     loop {
-                        let _e1661 = phi_3484_;
-                        if (_e1661.member < _e1661.member_1) {
-                            phi_3485_ = type_8((_e1661.member + 1u), _e1661.member_1);
-                            phi_3508_ = type_8(1u, _e1661.member);
+                        let _e1640 = phi_3341_;
+                        if (_e1640.member < _e1640.member_1) {
+                            phi_3342_ = type_8((_e1640.member + 1u), _e1640.member_1);
+                            phi_3365_ = type_8(1u, _e1640.member);
                         } else {
-                            phi_3485_ = _e1661;
-                            phi_3508_ = type_8(0u, type_8().member_1);
+                            phi_3342_ = _e1640;
+                            phi_3365_ = type_8(0u, type_8().member_1);
                         }
-                        let _e1674 = phi_3485_;
-                        let _e1676 = phi_3508_;
-                        let _e1680 = (bitcast<i32>(_e1676.member) != 0i);
-                        if _e1680 {
-                            let _e1681 = (_e1676.member_1 < 8u);
-                            if _e1681 {
+                        let _e1653 = phi_3342_;
+                        let _e1655 = phi_3365_;
+                        let _e1659 = (bitcast<i32>(_e1655.member) != 0i);
+                        if _e1659 {
+                            let _e1660 = (_e1655.member_1 < 8u);
+                            if _e1660 {
                             } else {
-                                phi_4214_ = true;
+                                phi_4041_ = true;
                                 break;
                             }
-                            let _e1683 = local_9[_e1676.member_1];
-                            if (_e1683.member_3 != 4294967295u) {
-                                let _e1689 = -(_e435);
-                                let _e1690 = (_e1689 / 3i);
-                                let _e1697 = bitcast<f32>((bitcast<u32>((_e1690 + 127i)) << bitcast<u32>(23i)));
-                                let _e1705 = (((_e1683.member * _e1697) * _e1697) * bitcast<f32>((bitcast<u32>(((_e1689 - (2i * _e1690)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1707 = select(340282350000000000000000000000000000000f, _e1705, (_e1705 < 340282350000000000000000000000000000000f));
-                                phi_3574_ = type_24(select(-340282350000000000000000000000000000000f, _e1707, (_e1707 > -340282350000000000000000000000000000000f)), _e1683.member_1, _e1683.member_2, _e1683.member_3);
+                            let _e1662 = local_9[_e1655.member_1];
+                            if (_e1662.member_3 != 4294967295u) {
+                                let _e1668 = -(_e435);
+                                let _e1669 = (_e1668 / 3i);
+                                let _e1676 = bitcast<f32>((bitcast<u32>((_e1669 + 127i)) << bitcast<u32>(23i)));
+                                let _e1684 = (((_e1662.member * _e1676) * _e1676) * bitcast<f32>((bitcast<u32>(((_e1668 - (2i * _e1669)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1686 = select(340282350000000000000000000000000000000f, _e1684, (_e1684 < 340282350000000000000000000000000000000f));
+                                phi_3431_ = type_24(select(-340282350000000000000000000000000000000f, _e1686, (_e1686 > -340282350000000000000000000000000000000f)), _e1662.member_1, _e1662.member_2, _e1662.member_3);
                             } else {
-                                phi_3574_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3431_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1712 = phi_3574_;
-                            if _e1681 {
+                            let _e1691 = phi_3431_;
+                            if _e1660 {
                             } else {
-                                phi_4214_ = true;
+                                phi_4041_ = true;
                                 break;
                             }
-                            local_9[_e1676.member_1] = type_24(_e1712.member, _e1712.member_1, _e1712.member_2, _e1712.member_3);
+                            local_9[_e1655.member_1] = type_24(_e1691.member, _e1691.member_1, _e1691.member_2, _e1691.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3484_ = _e1674;
-                            phi_4214_ = _e1659;
-                            break if !(_e1680);
+                            phi_3341_ = _e1653;
+                            phi_4041_ = _e1638;
+                            break if !(_e1659);
                         }
                     }
-                    let _e1720 = phi_4214_;
-                    if _e1720 {
+                    let _e1699 = phi_4041_;
+                    if _e1699 {
                         break;
                     }
-                    let _e1721 = local_9;
+                    let _e1700 = local_9;
                     if _e156 {
                     } else {
                         break;
                     }
-                    global_6.member[_e154] = array<type_24, 8>(type_24(_e1721[0].member, _e1721[0].member_1, _e1721[0].member_2, _e1721[0].member_3), type_24(_e1721[1].member, _e1721[1].member_1, _e1721[1].member_2, _e1721[1].member_3), type_24(_e1721[2].member, _e1721[2].member_1, _e1721[2].member_2, _e1721[2].member_3), type_24(_e1721[3].member, _e1721[3].member_1, _e1721[3].member_2, _e1721[3].member_3), type_24(_e1721[4].member, _e1721[4].member_1, _e1721[4].member_2, _e1721[4].member_3), type_24(_e1721[5].member, _e1721[5].member_1, _e1721[5].member_2, _e1721[5].member_3), type_24(_e1721[6].member, _e1721[6].member_1, _e1721[6].member_2, _e1721[6].member_3), type_24(_e1721[7].member, _e1721[7].member_1, _e1721[7].member_2, _e1721[7].member_3));
+                    global_6.member[_e154] = array<type_24, 8>(type_24(_e1700[0].member, _e1700[0].member_1, _e1700[0].member_2, _e1700[0].member_3), type_24(_e1700[1].member, _e1700[1].member_1, _e1700[1].member_2, _e1700[1].member_3), type_24(_e1700[2].member, _e1700[2].member_1, _e1700[2].member_2, _e1700[2].member_3), type_24(_e1700[3].member, _e1700[3].member_1, _e1700[3].member_2, _e1700[3].member_3), type_24(_e1700[4].member, _e1700[4].member_1, _e1700[4].member_2, _e1700[4].member_3), type_24(_e1700[5].member, _e1700[5].member_1, _e1700[5].member_2, _e1700[5].member_3), type_24(_e1700[6].member, _e1700[6].member_1, _e1700[6].member_2, _e1700[6].member_3), type_24(_e1700[7].member, _e1700[7].member_1, _e1700[7].member_2, _e1700[7].member_3));
                 }
             }
             break;

@@ -42,7 +42,7 @@ struct type_42 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_49 {
+struct type_46 {
     member: array<array<u32, 7>>,
 }
 
@@ -65,7 +65,7 @@ var<uniform> global_2: type_42;
 @group(0) @binding(4) 
 var<storage> global_3: type_32;
 @group(0) @binding(2) 
-var<storage> global_4: type_49;
+var<storage> global_4: type_46;
 @group(0) @binding(3) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -86,157 +86,157 @@ fn function_() {
     var local_11: array<u32, 3>;
     var local_12: array<array<f32, 3>, 3>;
     var local_13: array<f32, 4>;
+    var phi_410_: i32;
     var phi_411_: i32;
-    var phi_412_: i32;
-    var phi_422_: bool;
+    var phi_421_: bool;
+    var phi_431_: u32;
     var phi_432_: u32;
-    var phi_433_: u32;
-    var phi_435_: bool;
-    var phi_440_: u32;
-    var phi_453_: i32;
-    var phi_473_: i32;
-    var phi_491_: f32;
-    var phi_497_: f32;
-    var phi_508_: f32;
-    var phi_514_: f32;
-    var phi_537_: f32;
-    var phi_548_: f32;
-    var phi_557_: f32;
-    var phi_563_: f32;
-    var phi_574_: f32;
-    var phi_580_: f32;
-    var phi_603_: f32;
-    var phi_614_: f32;
-    var phi_623_: f32;
-    var phi_629_: f32;
-    var phi_640_: f32;
-    var phi_646_: f32;
-    var phi_669_: f32;
-    var phi_680_: f32;
+    var phi_434_: bool;
+    var phi_439_: u32;
+    var phi_452_: i32;
+    var phi_472_: i32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_507_: f32;
+    var phi_513_: f32;
+    var phi_536_: f32;
+    var phi_547_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_602_: f32;
+    var phi_613_: f32;
+    var phi_622_: f32;
+    var phi_628_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_668_: f32;
+    var phi_679_: f32;
+    var phi_779_: f32;
     var phi_780_: f32;
-    var phi_781_: f32;
-    var phi_3954_: bool;
-    var phi_3853_: f32;
+    var phi_3796_: bool;
+    var phi_3710_: f32;
+    var phi_922_: type_55;
+    var phi_925_: u32;
+    var phi_927_: bool;
+    var phi_929_: u32;
+    var phi_940_: bool;
+    var phi_1027_: type_55;
+    var phi_1028_: bool;
+    var phi_1029_: u32;
+    var phi_2579_: u32;
+    var phi_2585_: u32;
+    var phi_2839_: u32;
+    var phi_2840_: u32;
+    var phi_2850_: u32;
+    var phi_2852_: u32;
+    var phi_2853_: bool;
+    var phi_2873_: u32;
+    var phi_2874_: u32;
+    var phi_2878_: type_56;
+    var phi_3223_: type_55;
+    var phi_3300_: type_55;
+    var phi_3301_: type_55;
+    var phi_3302_: u32;
+    var phi_3304_: type_55;
+    var phi_3305_: u32;
+    var phi_3306_: bool;
+    var phi_3315_: type_55;
+    var phi_3320_: type_55;
+    var phi_3321_: bool;
+    var phi_3868_: f32;
+    var phi_3793_: bool;
+    var phi_1048_: type_8;
+    var phi_1049_: type_8;
+    var phi_1072_: type_8;
+    var phi_1113_: u32;
+    var phi_1119_: u32;
+    var phi_1129_: u32;
+    var phi_1145_: u32;
+    var phi_1182_: u32;
+    var phi_1188_: u32;
+    var phi_1198_: u32;
+    var phi_3778_: bool;
+    var phi_1214_: type_8;
+    var phi_1215_: type_8;
+    var phi_1238_: type_8;
+    var phi_1261_: u32;
+    var phi_1276_: u32;
+    var phi_1279_: type_8;
+    var phi_1280_: type_8;
+    var phi_1303_: type_8;
+    var phi_1369_: u32;
+    var phi_1349_: u32;
+    var phi_1350_: u32;
+    var phi_1373_: f32;
+    var phi_3771_: bool;
+    var phi_3850_: bool;
+    var phi_3849_: bool;
+    var phi_1874_: vec3<f32>;
+    var phi_1875_: vec3<f32>;
+    var phi_1906_: bool;
+    var phi_1915_: vec3<f32>;
+    var phi_1955_: type_20;
+    var phi_1957_: type_20;
+    var phi_1958_: bool;
+    var phi_1962_: type_20;
+    var phi_1963_: type_20;
+    var phi_1964_: type_20;
+    var phi_1965_: bool;
+    var phi_1969_: type_20;
+    var phi_1970_: bool;
+    var phi_1974_: type_20;
+    var phi_1975_: bool;
+    var phi_1979_: type_20;
+    var phi_1991_: type_8;
+    var phi_1994_: type_20;
+    var phi_1992_: type_8;
+    var phi_2017_: type_8;
+    var phi_2049_: bool;
+    var phi_2050_: bool;
+    var phi_2071_: type_20;
+    var phi_1995_: type_20;
+    var phi_3880_: bool;
+    var phi_4149_: f32;
+    var phi_4148_: f32;
+    var phi_3942_: bool;
+    var phi_4147_: f32;
+    var phi_3941_: bool;
+    var phi_4146_: f32;
+    var phi_3940_: bool;
+    var phi_4086_: f32;
+    var phi_3939_: bool;
+    var phi_4051_: f32;
+    var phi_3948_: bool;
+    var phi_3323_: type_55;
+    var phi_3324_: bool;
+    var phi_3325_: u32;
+    var phi_4050_: f32;
+    var phi_3947_: bool;
+    var phi_3326_: type_55;
+    var phi_3327_: u32;
+    var phi_3328_: bool;
+    var phi_3329_: u32;
+    var phi_4049_: f32;
+    var phi_3946_: bool;
+    var phi_3330_: type_55;
+    var phi_3331_: u32;
+    var phi_3332_: bool;
+    var phi_3333_: u32;
+    var phi_4048_: f32;
+    var phi_3945_: bool;
     var phi_923_: type_55;
     var phi_926_: u32;
     var phi_928_: bool;
     var phi_930_: u32;
-    var phi_941_: bool;
-    var phi_1028_: type_55;
-    var phi_1029_: bool;
-    var phi_1030_: u32;
-    var phi_2722_: u32;
-    var phi_2728_: u32;
-    var phi_2982_: u32;
-    var phi_2983_: u32;
-    var phi_2993_: u32;
-    var phi_2995_: u32;
-    var phi_2996_: bool;
-    var phi_3016_: u32;
-    var phi_3017_: u32;
-    var phi_3021_: type_56;
-    var phi_3366_: type_55;
-    var phi_3443_: type_55;
-    var phi_3444_: type_55;
-    var phi_3445_: u32;
-    var phi_3447_: type_55;
-    var phi_3448_: u32;
-    var phi_3449_: bool;
-    var phi_3458_: type_55;
-    var phi_3463_: type_55;
-    var phi_3464_: bool;
-    var phi_4026_: f32;
-    var phi_3951_: bool;
-    var phi_1049_: type_8;
-    var phi_1050_: type_8;
-    var phi_1073_: type_8;
-    var phi_1114_: u32;
-    var phi_1120_: u32;
-    var phi_1130_: u32;
-    var phi_1146_: u32;
-    var phi_1183_: u32;
-    var phi_1189_: u32;
-    var phi_1199_: u32;
-    var phi_3936_: bool;
-    var phi_1215_: type_8;
-    var phi_1216_: type_8;
-    var phi_1239_: type_8;
-    var phi_1262_: u32;
-    var phi_1277_: u32;
-    var phi_1280_: type_8;
-    var phi_1281_: type_8;
-    var phi_1304_: type_8;
-    var phi_1370_: u32;
-    var phi_1350_: u32;
-    var phi_1351_: u32;
-    var phi_1374_: f32;
-    var phi_3929_: bool;
-    var phi_4008_: bool;
-    var phi_4007_: bool;
-    var phi_1875_: vec3<f32>;
-    var phi_1876_: vec3<f32>;
-    var phi_1907_: bool;
-    var phi_1916_: vec3<f32>;
-    var phi_1956_: type_20;
-    var phi_1958_: type_20;
-    var phi_1959_: bool;
-    var phi_1963_: type_20;
-    var phi_1964_: type_20;
-    var phi_1965_: type_20;
-    var phi_1966_: bool;
-    var phi_1970_: type_20;
-    var phi_1971_: bool;
-    var phi_1975_: type_20;
-    var phi_1976_: bool;
-    var phi_1980_: type_20;
-    var phi_1992_: type_8;
-    var phi_1995_: type_20;
-    var phi_1993_: type_8;
-    var phi_2018_: type_8;
-    var phi_2050_: bool;
-    var phi_2051_: bool;
-    var phi_2072_: type_20;
-    var phi_1996_: type_20;
-    var phi_4038_: bool;
-    var phi_4322_: f32;
-    var phi_4321_: f32;
-    var phi_4100_: bool;
-    var phi_4320_: f32;
-    var phi_4099_: bool;
-    var phi_4319_: f32;
-    var phi_4098_: bool;
-    var phi_4259_: f32;
-    var phi_4097_: bool;
-    var phi_4224_: f32;
-    var phi_4106_: bool;
-    var phi_3466_: type_55;
-    var phi_3467_: bool;
-    var phi_3468_: u32;
-    var phi_4223_: f32;
-    var phi_4105_: bool;
-    var phi_3469_: type_55;
-    var phi_3470_: u32;
-    var phi_3471_: bool;
-    var phi_3472_: u32;
-    var phi_4222_: f32;
-    var phi_4104_: bool;
-    var phi_3473_: type_55;
-    var phi_3474_: u32;
-    var phi_3475_: bool;
-    var phi_3476_: u32;
-    var phi_4221_: f32;
-    var phi_4103_: bool;
-    var phi_924_: type_55;
-    var phi_927_: u32;
-    var phi_929_: bool;
-    var phi_931_: u32;
-    var phi_3477_: bool;
-    var phi_4102_: bool;
-    var phi_3484_: type_8;
-    var phi_3485_: type_8;
-    var phi_3508_: type_8;
-    var phi_3574_: type_20;
-    var phi_4214_: bool;
+    var phi_3334_: bool;
+    var phi_3944_: bool;
+    var phi_3341_: type_8;
+    var phi_3342_: type_8;
+    var phi_3365_: type_8;
+    var phi_3431_: type_20;
+    var phi_4041_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
@@ -288,199 +288,199 @@ fn function_() {
                     if _e229 {
                         let _e232 = (bitcast<u32>(bitcast<f32>(_e204)) & 2147483647u);
                         if (_e232 >= 8388608u) {
-                            phi_411_ = (bitcast<i32>((_e232 >> bitcast<u32>(23i))) - 127i);
+                            phi_410_ = (bitcast<i32>((_e232 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_411_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e232)), 32u, (_e232 == 0u))));
+                            phi_410_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e232)), 32u, (_e232 == 0u))));
                         }
-                        let _e246 = phi_411_;
-                        phi_412_ = _e246;
+                        let _e246 = phi_410_;
+                        phi_411_ = _e246;
                     } else {
-                        phi_412_ = 0i;
+                        phi_411_ = 0i;
                     }
-                    let _e248 = phi_412_;
+                    let _e248 = phi_411_;
                     let _e249 = (_e165 == _e204);
                     if _e249 {
-                        phi_422_ = true;
+                        phi_421_ = true;
                     } else {
-                        phi_422_ = (_e172 == _e204);
+                        phi_421_ = (_e172 == _e204);
                     }
-                    let _e252 = phi_422_;
+                    let _e252 = phi_421_;
                     let _e253 = select(1u, 0u, _e249);
                     if _e252 {
                         let _e254 = (_e253 + 1u);
+                        phi_431_ = _e254;
                         phi_432_ = _e254;
-                        phi_433_ = _e254;
-                        phi_435_ = select(true, false, (_e254 == 2u));
+                        phi_434_ = select(true, false, (_e254 == 2u));
                     } else {
-                        phi_432_ = u32();
-                        phi_433_ = 0u;
-                        phi_435_ = true;
+                        phi_431_ = u32();
+                        phi_432_ = 0u;
+                        phi_434_ = true;
                     }
-                    let _e258 = phi_432_;
-                    let _e260 = phi_433_;
-                    let _e262 = phi_435_;
+                    let _e258 = phi_431_;
+                    let _e260 = phi_432_;
+                    let _e262 = phi_434_;
                     if _e262 {
-                        phi_440_ = (_e260 + 1u);
+                        phi_439_ = (_e260 + 1u);
                     } else {
-                        phi_440_ = 0u;
+                        phi_439_ = 0u;
                     }
-                    let _e266 = phi_440_;
+                    let _e266 = phi_439_;
                     let _e267 = select(_e258, _e260, _e262);
                     let _e268 = select(_e253, select(2u, _e253, _e252), _e262);
                     if (_e135 < -126i) {
-                        phi_453_ = -126i;
+                        phi_452_ = -126i;
                     } else {
-                        phi_453_ = select(_e135, 127i, (_e135 > 127i));
+                        phi_452_ = select(_e135, 127i, (_e135 > 127i));
                     }
-                    let _e273 = phi_453_;
+                    let _e273 = phi_452_;
                     let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
                     let _e284 = bitcast<f32>((bitcast<u32>(((_e135 - _e273) + 127i)) << bitcast<u32>(23i)));
                     let _e285 = -(_e248);
                     if (_e285 < -126i) {
-                        phi_473_ = -126i;
+                        phi_472_ = -126i;
                     } else {
-                        phi_473_ = select(_e285, 127i, (_e285 > 127i));
+                        phi_472_ = select(_e285, 127i, (_e285 > 127i));
                     }
-                    let _e290 = phi_473_;
+                    let _e290 = phi_472_;
                     let _e295 = bitcast<f32>((bitcast<u32>((_e290 + 127i)) << bitcast<u32>(23i)));
                     let _e301 = bitcast<f32>((bitcast<u32>(((_e285 - _e290) + 127i)) << bitcast<u32>(23i)));
                     let _e305 = global_3.member[_e153].member;
                     let _e306 = (_e267 == 0u);
                     if _e306 {
-                        phi_491_ = _e305[0];
+                        phi_490_ = _e305[0];
                     } else {
-                        phi_491_ = _e305[1];
+                        phi_490_ = _e305[1];
                     }
-                    let _e310 = phi_491_;
+                    let _e310 = phi_490_;
                     let _e311 = (_e267 == 2u);
                     if _e311 {
-                        phi_497_ = _e305[2];
+                        phi_496_ = _e305[2];
                     } else {
-                        phi_497_ = _e310;
+                        phi_496_ = _e310;
                     }
-                    let _e314 = phi_497_;
+                    let _e314 = phi_496_;
                     let _e316 = ((_e314 * _e278) * _e284);
                     let _e317 = global_3.member[_e153].member_2;
                     if _e306 {
-                        phi_508_ = _e317[0];
+                        phi_507_ = _e317[0];
                     } else {
-                        phi_508_ = _e317[1];
+                        phi_507_ = _e317[1];
                     }
-                    let _e321 = phi_508_;
+                    let _e321 = phi_507_;
                     if _e311 {
-                        phi_514_ = _e317[2];
+                        phi_513_ = _e317[2];
                     } else {
-                        phi_514_ = _e321;
+                        phi_513_ = _e321;
                     }
-                    let _e324 = phi_514_;
+                    let _e324 = phi_513_;
                     let _e326 = ((_e324 * _e295) * _e301);
                     let _e330 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e330 {
                         let _e334 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) * 0.00000011920929f);
-                        phi_537_ = select(0.00000000000011368684f, _e334, (_e334 > 0.00000000000011368684f));
+                        phi_536_ = select(0.00000000000011368684f, _e334, (_e334 > 0.00000000000011368684f));
                     } else {
-                        phi_537_ = 0f;
+                        phi_536_ = 0f;
                     }
-                    let _e338 = phi_537_;
+                    let _e338 = phi_536_;
                     let _e339 = (_e316 + _e338);
                     let _e340 = (_e316 - _e338);
                     let _e341 = select(_e326, 0f, _e330);
                     if _e330 {
-                        phi_548_ = 38685626000000000000000000f;
+                        phi_547_ = 38685626000000000000000000f;
                     } else {
-                        phi_548_ = (1f / _e326);
+                        phi_547_ = (1f / _e326);
                     }
-                    let _e344 = phi_548_;
+                    let _e344 = phi_547_;
                     let _e345 = (_e266 == 0u);
                     if _e345 {
-                        phi_557_ = _e305[0];
+                        phi_556_ = _e305[0];
                     } else {
-                        phi_557_ = _e305[1];
+                        phi_556_ = _e305[1];
                     }
-                    let _e349 = phi_557_;
+                    let _e349 = phi_556_;
                     let _e350 = (_e266 == 2u);
                     if _e350 {
-                        phi_563_ = _e305[2];
+                        phi_562_ = _e305[2];
                     } else {
-                        phi_563_ = _e349;
+                        phi_562_ = _e349;
                     }
-                    let _e353 = phi_563_;
+                    let _e353 = phi_562_;
                     let _e355 = ((_e353 * _e278) * _e284);
                     if _e345 {
-                        phi_574_ = _e317[0];
+                        phi_573_ = _e317[0];
                     } else {
-                        phi_574_ = _e317[1];
+                        phi_573_ = _e317[1];
                     }
-                    let _e359 = phi_574_;
+                    let _e359 = phi_573_;
                     if _e350 {
-                        phi_580_ = _e317[2];
+                        phi_579_ = _e317[2];
                     } else {
-                        phi_580_ = _e359;
+                        phi_579_ = _e359;
                     }
-                    let _e362 = phi_580_;
+                    let _e362 = phi_579_;
                     let _e364 = ((_e362 * _e295) * _e301);
                     let _e368 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e368 {
                         let _e372 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) * 0.00000011920929f);
-                        phi_603_ = select(0.00000000000011368684f, _e372, (_e372 > 0.00000000000011368684f));
+                        phi_602_ = select(0.00000000000011368684f, _e372, (_e372 > 0.00000000000011368684f));
                     } else {
-                        phi_603_ = 0f;
+                        phi_602_ = 0f;
                     }
-                    let _e376 = phi_603_;
+                    let _e376 = phi_602_;
                     let _e377 = (_e355 + _e376);
                     let _e378 = (_e355 - _e376);
                     let _e379 = select(_e364, 0f, _e368);
                     if _e368 {
-                        phi_614_ = 38685626000000000000000000f;
+                        phi_613_ = 38685626000000000000000000f;
                     } else {
-                        phi_614_ = (1f / _e364);
+                        phi_613_ = (1f / _e364);
                     }
-                    let _e382 = phi_614_;
+                    let _e382 = phi_613_;
                     let _e383 = (_e268 == 0u);
                     if _e383 {
-                        phi_623_ = _e305[0];
+                        phi_622_ = _e305[0];
                     } else {
-                        phi_623_ = _e305[1];
+                        phi_622_ = _e305[1];
                     }
-                    let _e387 = phi_623_;
+                    let _e387 = phi_622_;
                     let _e388 = (_e268 == 2u);
                     if _e388 {
-                        phi_629_ = _e305[2];
+                        phi_628_ = _e305[2];
                     } else {
-                        phi_629_ = _e387;
+                        phi_628_ = _e387;
                     }
-                    let _e391 = phi_629_;
+                    let _e391 = phi_628_;
                     let _e393 = ((_e391 * _e278) * _e284);
                     if _e383 {
-                        phi_640_ = _e317[0];
+                        phi_639_ = _e317[0];
                     } else {
-                        phi_640_ = _e317[1];
+                        phi_639_ = _e317[1];
                     }
-                    let _e397 = phi_640_;
+                    let _e397 = phi_639_;
                     if _e388 {
-                        phi_646_ = _e317[2];
+                        phi_645_ = _e317[2];
                     } else {
-                        phi_646_ = _e397;
+                        phi_645_ = _e397;
                     }
-                    let _e400 = phi_646_;
+                    let _e400 = phi_645_;
                     let _e402 = ((_e400 * _e295) * _e301);
                     let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e406 {
                         let _e410 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) * 0.00000011920929f);
-                        phi_669_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
+                        phi_668_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_669_ = 0f;
+                        phi_668_ = 0f;
                     }
-                    let _e414 = phi_669_;
+                    let _e414 = phi_668_;
                     let _e415 = (_e393 + _e414);
                     let _e416 = (_e393 - _e414);
                     let _e417 = select(_e402, 0f, _e406);
                     if _e406 {
-                        phi_680_ = 38685626000000000000000000f;
+                        phi_679_ = 38685626000000000000000000f;
                     } else {
-                        phi_680_ = (1f / _e402);
+                        phi_679_ = (1f / _e402);
                     }
-                    let _e420 = phi_680_;
+                    let _e420 = phi_679_;
                     let _e423 = bitcast<f32>((bitcast<u32>(_e316) & 2147483647u));
                     let _e426 = bitcast<f32>((bitcast<u32>(_e355) & 2147483647u));
                     let _e428 = select(_e426, _e423, (_e423 > _e426));
@@ -494,14 +494,14 @@ fn function_() {
                         let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
                         let _e459 = (((_e223 * _e444) * _e444) * _e451);
                         let _e461 = select(340282350000000000000000000000000000000f, _e459, (_e459 < 340282350000000000000000000000000000000f));
-                        phi_780_ = select(-340282350000000000000000000000000000000f, _e461, (_e461 > -340282350000000000000000000000000000000f));
-                        phi_781_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
+                        phi_779_ = select(-340282350000000000000000000000000000000f, _e461, (_e461 > -340282350000000000000000000000000000000f));
+                        phi_780_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_780_ = 0f;
-                        phi_781_ = 1f;
+                        phi_779_ = 0f;
+                        phi_780_ = 1f;
                     }
-                    let _e465 = phi_780_;
-                    let _e467 = phi_781_;
+                    let _e465 = phi_779_;
+                    let _e467 = phi_780_;
                     local_9 = array<type_20, 8>(type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -547,1131 +547,1134 @@ fn function_() {
                         break;
                     }
                     let _e498 = local[_e482];
-                    phi_3954_ = false;
-                    phi_3853_ = _e465;
-                    phi_923_ = type_55(type_24(vec4<f32>((f32(_e473) * _e147), (f32(_e479) * _e147), (f32(_e485) * _e147), 0f), vec4<f32>((f32(_e490) * _e147), (f32(_e494) * _e147), (f32(_e498) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
-                    phi_926_ = ((3u * _e96) + 1u);
-                    phi_928_ = (_e467 <= _e465);
-                    phi_930_ = 0u;
+                    phi_3796_ = false;
+                    phi_3710_ = _e465;
+                    phi_922_ = type_55(type_24(vec4<f32>((f32(_e473) * _e147), (f32(_e479) * _e147), (f32(_e485) * _e147), 0f), vec4<f32>((f32(_e490) * _e147), (f32(_e494) * _e147), (f32(_e498) * _e147), 0f)), select(0u, 2147483648u, (_e96 == 0u)));
+                    phi_925_ = ((3u * _e96) + 1u);
+                    phi_927_ = (_e467 <= _e465);
+                    phi_929_ = 0u;
                     loop {
-                        let _e508 = phi_3954_;
-                        let _e510 = phi_3853_;
-                        let _e512 = phi_923_;
-                        let _e514 = phi_926_;
-                        let _e516 = phi_928_;
-                        let _e518 = phi_930_;
+                        let _e508 = phi_3796_;
+                        let _e510 = phi_3710_;
+                        let _e512 = phi_922_;
+                        let _e514 = phi_925_;
+                        let _e516 = phi_927_;
+                        let _e518 = phi_929_;
                         if _e516 {
-                            phi_941_ = true;
+                            phi_940_ = true;
                         } else {
-                            phi_941_ = (_e518 > 0u);
+                            phi_940_ = (_e518 > 0u);
                         }
-                        let _e521 = phi_941_;
+                        let _e521 = phi_940_;
                         if _e521 {
                             let _e522 = (_e514 > 0u);
                             if _e522 {
                                 if _e516 {
-                                    phi_1028_ = _e512;
-                                    phi_1029_ = _e516;
-                                    phi_1030_ = _e518;
+                                    phi_1027_ = _e512;
+                                    phi_1028_ = _e516;
+                                    phi_1029_ = _e518;
                                 } else {
                                     let _e523 = (_e518 - 1u);
                                     let _e524 = (_e523 % 128u);
                                     let _e525 = (_e524 < 128u);
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e527 = local_7[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e529 = local_6[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e531 = local_5[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e533 = local_4[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e535 = local_3[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e537 = local_2[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e542 = local_8[_e524];
                                     if _e525 {
                                     } else {
-                                        phi_4102_ = true;
+                                        phi_3944_ = true;
                                         break;
                                     }
                                     let _e545 = local_10[_e524];
-                                    phi_1028_ = type_55(type_24(vec4<f32>(_e527, _e529, _e531, 0f), vec4<f32>(_e533, _e535, _e537, 0f)), _e542);
-                                    phi_1029_ = (_e545 <= _e510);
-                                    phi_1030_ = _e523;
+                                    phi_1027_ = type_55(type_24(vec4<f32>(_e527, _e529, _e531, 0f), vec4<f32>(_e533, _e535, _e537, 0f)), _e542);
+                                    phi_1028_ = (_e545 <= _e510);
+                                    phi_1029_ = _e523;
                                 }
-                                let _e548 = phi_1028_;
-                                let _e550 = phi_1029_;
-                                let _e552 = phi_1030_;
+                                let _e548 = phi_1027_;
+                                let _e550 = phi_1028_;
+                                let _e552 = phi_1029_;
                                 if _e550 {
                                     let _e557 = (_e548.member_1 & 268435455u);
                                     if ((_e548.member_1 & 2147483648u) != 0u) {
-                                        phi_4026_ = _e510;
-                                        phi_3951_ = _e508;
-                                        phi_1049_ = type_8(0u, ((_e548.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3868_ = _e510;
+                                        phi_3793_ = _e508;
+                                        phi_1048_ = type_8(0u, ((_e548.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1037 = phi_4026_;
-                                            let _e1039 = phi_3951_;
-                                            let _e1041 = phi_1049_;
-                                            if (_e1041.member < _e1041.member_1) {
-                                                phi_1050_ = type_8((_e1041.member + 1u), _e1041.member_1);
-                                                phi_1073_ = type_8(1u, _e1041.member);
+                                            let _e1034 = phi_3868_;
+                                            let _e1036 = phi_3793_;
+                                            let _e1038 = phi_1048_;
+                                            if (_e1038.member < _e1038.member_1) {
+                                                phi_1049_ = type_8((_e1038.member + 1u), _e1038.member_1);
+                                                phi_1072_ = type_8(1u, _e1038.member);
                                             } else {
-                                                phi_1050_ = _e1041;
-                                                phi_1073_ = type_8(0u, type_8().member_1);
+                                                phi_1049_ = _e1038;
+                                                phi_1072_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1054 = phi_1050_;
-                                            let _e1056 = phi_1073_;
-                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
-                                            if _e1060 {
-                                                let _e1065 = (_e548.member.member_1.x - _e548.member.member.x);
-                                                let _e1068 = (_e548.member.member_1.y - _e548.member.member.y);
-                                                let _e1071 = (_e548.member.member_1.z - _e548.member.member.z);
-                                                let _e1073 = select(_e1068, _e1065, (_e1065 > _e1068));
-                                                let _e1075 = select(_e1071, _e1073, (_e1073 > _e1071));
-                                                let _e1077 = (_e1075 < (1024f * _e147));
-                                                if _e1077 {
-                                                    phi_1114_ = 0u;
+                                            let _e1051 = phi_1049_;
+                                            let _e1053 = phi_1072_;
+                                            let _e1057 = (bitcast<i32>(_e1053.member) != 0i);
+                                            if _e1057 {
+                                                let _e1062 = (_e548.member.member_1.x - _e548.member.member.x);
+                                                let _e1065 = (_e548.member.member_1.y - _e548.member.member.y);
+                                                let _e1068 = (_e548.member.member_1.z - _e548.member.member.z);
+                                                let _e1070 = select(_e1065, _e1062, (_e1062 > _e1065));
+                                                let _e1072 = select(_e1068, _e1070, (_e1070 > _e1068));
+                                                let _e1074 = (_e1072 < (1024f * _e147));
+                                                if _e1074 {
+                                                    phi_1113_ = 0u;
                                                 } else {
-                                                    phi_1114_ = select(2u, 1u, (_e1075 < (2097152f * _e147)));
+                                                    phi_1113_ = select(2u, 1u, (_e1072 < (2097152f * _e147)));
                                                 }
-                                                let _e1082 = phi_1114_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1079 = phi_1113_;
+                                                switch bitcast<i32>(_e1079) {
                                                     case 0: {
-                                                        phi_1120_ = 1u;
+                                                        phi_1119_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1120_ = 2u;
+                                                        phi_1119_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1120_ = 3u;
+                                                        phi_1119_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1120_ = u32();
+                                                        phi_1119_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1085 = phi_1120_;
-                                                switch bitcast<i32>(_e1082) {
+                                                let _e1082 = phi_1119_;
+                                                switch bitcast<i32>(_e1079) {
                                                     case 0: {
-                                                        phi_1130_ = 1u;
+                                                        phi_1129_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1130_ = 2u;
+                                                        phi_1129_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1130_ = 3u;
+                                                        phi_1129_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1130_ = u32();
+                                                        phi_1129_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1092 = phi_1130_;
-                                                let _e1094 = ((_e557 + (_e1056.member_1 * ((3u * _e1085) + 1u))) + (3u * _e1092));
-                                                let _e1095 = (_e1094 < _e99);
-                                                if _e1095 {
-                                                    if _e1095 {
+                                                let _e1089 = phi_1129_;
+                                                let _e1091 = ((_e557 + (_e1053.member_1 * ((3u * _e1082) + 1u))) + (3u * _e1089));
+                                                let _e1092 = (_e1091 < _e99);
+                                                if _e1092 {
+                                                    if _e1092 {
                                                     } else {
-                                                        phi_4259_ = _e1037;
-                                                        phi_4097_ = true;
+                                                        phi_4086_ = _e1034;
+                                                        phi_3939_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_5.member[_e1094];
-                                                    phi_1146_ = _e1097;
+                                                    let _e1094 = global_5.member[_e1091];
+                                                    phi_1145_ = _e1094;
                                                 } else {
-                                                    phi_1146_ = 4294967295u;
+                                                    phi_1145_ = 4294967295u;
                                                 }
-                                                let _e1099 = phi_1146_;
+                                                let _e1096 = phi_1145_;
                                                 local_11 = array<u32, 3>(_e267, _e266, _e268);
-                                                if _e1077 {
-                                                    phi_1183_ = 0u;
+                                                if _e1074 {
+                                                    phi_1182_ = 0u;
                                                 } else {
-                                                    phi_1183_ = select(2u, 1u, (_e1075 < (2097152f * _e147)));
+                                                    phi_1182_ = select(2u, 1u, (_e1072 < (2097152f * _e147)));
                                                 }
-                                                let _e1105 = phi_1183_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1102 = phi_1182_;
+                                                switch bitcast<i32>(_e1102) {
                                                     case 0: {
-                                                        phi_1189_ = 1u;
+                                                        phi_1188_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1189_ = 2u;
+                                                        phi_1188_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1189_ = 3u;
+                                                        phi_1188_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1189_ = u32();
+                                                        phi_1188_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1108 = phi_1189_;
-                                                switch bitcast<i32>(_e1105) {
+                                                let _e1105 = phi_1188_;
+                                                switch bitcast<i32>(_e1102) {
                                                     case 0: {
-                                                        phi_1199_ = 1u;
+                                                        phi_1198_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1199_ = 2u;
+                                                        phi_1198_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1199_ = 3u;
+                                                        phi_1198_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1199_ = u32();
+                                                        phi_1198_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1115 = phi_1199_;
+                                                let _e1112 = phi_1198_;
                                                 local_13 = array<f32, 4>(_e548.member.member.x, _e548.member.member.y, _e548.member.member.z, _e548.member.member.w);
                                                 local_12[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_12[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_12[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3936_ = _e1039;
-                                                phi_1215_ = type_8(0u, 3u);
+                                                phi_3778_ = _e1036;
+                                                phi_1214_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1129 = phi_3936_;
-                                                    let _e1131 = phi_1215_;
-                                                    if (_e1131.member < _e1131.member_1) {
-                                                        phi_1216_ = type_8((_e1131.member + 1u), _e1131.member_1);
-                                                        phi_1239_ = type_8(1u, _e1131.member);
+                                                    let _e1126 = phi_3778_;
+                                                    let _e1128 = phi_1214_;
+                                                    if (_e1128.member < _e1128.member_1) {
+                                                        phi_1215_ = type_8((_e1128.member + 1u), _e1128.member_1);
+                                                        phi_1238_ = type_8(1u, _e1128.member);
                                                     } else {
-                                                        phi_1216_ = _e1131;
-                                                        phi_1239_ = type_8(0u, type_8().member_1);
+                                                        phi_1215_ = _e1128;
+                                                        phi_1238_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1144 = phi_1216_;
-                                                    let _e1146 = phi_1239_;
-                                                    let _e1150 = (bitcast<i32>(_e1146.member) != 0i);
-                                                    if _e1150 {
-                                                        let _e1152 = ((_e557 + (_e1056.member_1 * ((3u * _e1108) + 1u))) + (_e1146.member_1 * _e1115));
-                                                        let _e1153 = (_e1152 < _e99);
-                                                        if _e1153 {
-                                                            if _e1153 {
+                                                    let _e1141 = phi_1215_;
+                                                    let _e1143 = phi_1238_;
+                                                    let _e1147 = (bitcast<i32>(_e1143.member) != 0i);
+                                                    if _e1147 {
+                                                        let _e1149 = ((_e557 + (_e1053.member_1 * ((3u * _e1105) + 1u))) + (_e1143.member_1 * _e1112));
+                                                        let _e1150 = (_e1149 < _e99);
+                                                        if _e1150 {
+                                                            if _e1150 {
                                                             } else {
-                                                                phi_4007_ = true;
+                                                                phi_3849_ = true;
                                                                 break;
                                                             }
-                                                            let _e1155 = global_5.member[_e1152];
-                                                            phi_1262_ = _e1155;
+                                                            let _e1152 = global_5.member[_e1149];
+                                                            phi_1261_ = _e1152;
                                                         } else {
-                                                            phi_1262_ = 0u;
+                                                            phi_1261_ = 0u;
                                                         }
-                                                        let _e1157 = phi_1262_;
-                                                        let _e1158 = (_e1152 + 1u);
-                                                        let _e1159 = (_e1158 < _e99);
-                                                        if _e1159 {
-                                                            if _e1159 {
+                                                        let _e1154 = phi_1261_;
+                                                        let _e1155 = (_e1149 + 1u);
+                                                        let _e1156 = (_e1155 < _e99);
+                                                        if _e1156 {
+                                                            if _e1156 {
                                                             } else {
-                                                                phi_4007_ = true;
+                                                                phi_3849_ = true;
                                                                 break;
                                                             }
-                                                            let _e1161 = global_5.member[_e1158];
-                                                            phi_1277_ = _e1161;
+                                                            let _e1158 = global_5.member[_e1155];
+                                                            phi_1276_ = _e1158;
                                                         } else {
-                                                            phi_1277_ = 0u;
+                                                            phi_1276_ = 0u;
                                                         }
-                                                        let _e1163 = phi_1277_;
-                                                        phi_1280_ = type_8(0u, 3u);
+                                                        let _e1160 = phi_1276_;
+                                                        phi_1279_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1165 = phi_1280_;
-                                                            if (_e1165.member < _e1165.member_1) {
-                                                                phi_1281_ = type_8((_e1165.member + 1u), _e1165.member_1);
-                                                                phi_1304_ = type_8(1u, _e1165.member);
+                                                            let _e1162 = phi_1279_;
+                                                            if (_e1162.member < _e1162.member_1) {
+                                                                phi_1280_ = type_8((_e1162.member + 1u), _e1162.member_1);
+                                                                phi_1303_ = type_8(1u, _e1162.member);
                                                             } else {
-                                                                phi_1281_ = _e1165;
-                                                                phi_1304_ = type_8(0u, type_8().member_1);
+                                                                phi_1280_ = _e1162;
+                                                                phi_1303_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1178 = phi_1281_;
-                                                            let _e1180 = phi_1304_;
-                                                            let _e1184 = (bitcast<i32>(_e1180.member) != 0i);
-                                                            if _e1184 {
-                                                                let _e1185 = (_e1180.member_1 < 3u);
-                                                                if _e1185 {
+                                                            let _e1175 = phi_1280_;
+                                                            let _e1177 = phi_1303_;
+                                                            let _e1181 = (bitcast<i32>(_e1177.member) != 0i);
+                                                            if _e1181 {
+                                                                let _e1182 = (_e1177.member_1 < 3u);
+                                                                if _e1182 {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1187 = local_11[_e1180.member_1];
-                                                                if (_e1180.member_1 < 4u) {
+                                                                let _e1184 = local_11[_e1177.member_1];
+                                                                if (_e1177.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1190 = local_13[_e1180.member_1];
-                                                                switch bitcast<i32>(_e1105) {
+                                                                let _e1187 = local_13[_e1177.member_1];
+                                                                switch bitcast<i32>(_e1102) {
                                                                     case 0: {
-                                                                        phi_1374_ = (_e1190 + (f32(((_e1157 >> bitcast<u32>(((10u * _e1187) & 31u))) & 1023u)) * _e147));
+                                                                        phi_1373_ = (_e1187 + (f32(((_e1154 >> bitcast<u32>(((10u * _e1184) & 31u))) & 1023u)) * _e147));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1187 == 0u) {
-                                                                            phi_1351_ = _e1157;
+                                                                        if (_e1184 == 0u) {
+                                                                            phi_1350_ = _e1154;
                                                                         } else {
-                                                                            if (_e1187 == 1u) {
-                                                                                phi_1350_ = ((_e1157 >> bitcast<u32>(21i)) | (_e1163 << bitcast<u32>(11i)));
+                                                                            if (_e1184 == 1u) {
+                                                                                phi_1349_ = ((_e1154 >> bitcast<u32>(21i)) | (_e1160 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1350_ = (_e1163 >> bitcast<u32>(10i));
+                                                                                phi_1349_ = (_e1160 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1211 = phi_1350_;
-                                                                            phi_1351_ = _e1211;
+                                                                            let _e1208 = phi_1349_;
+                                                                            phi_1350_ = _e1208;
                                                                         }
-                                                                        let _e1213 = phi_1351_;
-                                                                        phi_1374_ = (_e1190 + (f32((_e1213 & 2097151u)) * _e147));
+                                                                        let _e1210 = phi_1350_;
+                                                                        phi_1373_ = (_e1187 + (f32((_e1210 & 2097151u)) * _e147));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1192 = (_e1152 + _e1187);
-                                                                        let _e1193 = (_e1192 < _e99);
-                                                                        if _e1193 {
-                                                                            if _e1193 {
+                                                                        let _e1189 = (_e1149 + _e1184);
+                                                                        let _e1190 = (_e1189 < _e99);
+                                                                        if _e1190 {
+                                                                            if _e1190 {
                                                                             } else {
-                                                                                phi_3929_ = true;
+                                                                                phi_3771_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1195 = global_5.member[_e1192];
-                                                                            phi_1370_ = _e1195;
+                                                                            let _e1192 = global_5.member[_e1189];
+                                                                            phi_1369_ = _e1192;
                                                                         } else {
-                                                                            phi_1370_ = 0u;
+                                                                            phi_1369_ = 0u;
                                                                         }
-                                                                        let _e1197 = phi_1370_;
-                                                                        phi_1374_ = (f32(bitcast<i32>(_e1197)) * _e147);
+                                                                        let _e1194 = phi_1369_;
+                                                                        phi_1373_ = (f32(bitcast<i32>(_e1194)) * _e147);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1374_ = f32();
+                                                                        phi_1373_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1227 = phi_1374_;
-                                                                if (_e1146.member_1 < 3u) {
+                                                                let _e1224 = phi_1373_;
+                                                                if (_e1143.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1185 {
+                                                                if _e1182 {
                                                                 } else {
-                                                                    phi_3929_ = true;
+                                                                    phi_3771_ = true;
                                                                     break;
                                                                 }
-                                                                local_12[_e1146.member_1][_e1180.member_1] = _e1227;
+                                                                local_12[_e1143.member_1][_e1177.member_1] = _e1224;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1280_ = _e1178;
-                                                                phi_3929_ = _e1129;
-                                                                break if !(_e1184);
+                                                                phi_1279_ = _e1175;
+                                                                phi_3771_ = _e1126;
+                                                                break if !(_e1181);
                                                             }
                                                         }
-                                                        let _e1233 = phi_3929_;
-                                                        phi_4007_ = _e1233;
-                                                        if _e1233 {
+                                                        let _e1230 = phi_3771_;
+                                                        phi_3849_ = _e1230;
+                                                        if _e1230 {
                                                             break;
                                                         }
-                                                        phi_4008_ = _e1233;
+                                                        phi_3850_ = _e1230;
                                                     } else {
-                                                        phi_4008_ = _e1129;
+                                                        phi_3850_ = _e1126;
                                                     }
-                                                    let _e1235 = phi_4008_;
+                                                    let _e1232 = phi_3850_;
                                                     continue;
                                                     continuing {
-                                                        phi_3936_ = _e1235;
-                                                        phi_1215_ = _e1144;
-                                                        phi_4007_ = _e1235;
-                                                        break if !(_e1150);
+                                                        phi_3778_ = _e1232;
+                                                        phi_1214_ = _e1141;
+                                                        phi_3849_ = _e1232;
+                                                        break if !(_e1147);
                                                     }
                                                 }
-                                                let _e1238 = phi_4007_;
-                                                phi_4259_ = _e1037;
-                                                phi_4097_ = _e1238;
-                                                if _e1238 {
+                                                let _e1235 = phi_3849_;
+                                                phi_4086_ = _e1034;
+                                                phi_3939_ = _e1235;
+                                                if _e1235 {
                                                     break;
                                                 }
-                                                let _e1239 = local_12;
-                                                let _e1254 = (_e1239[0][2] - _e393);
-                                                let _e1257 = (((_e1239[0][0] - _e316) * _e417) - (_e1254 * _e341));
-                                                let _e1260 = (((_e1239[0][1] - _e355) * _e417) - (_e1254 * _e379));
-                                                let _e1263 = (_e1239[1][2] - _e393);
-                                                let _e1266 = (((_e1239[1][0] - _e316) * _e417) - (_e1263 * _e341));
-                                                let _e1269 = (((_e1239[1][1] - _e355) * _e417) - (_e1263 * _e379));
-                                                let _e1272 = (_e1239[2][2] - _e393);
-                                                let _e1275 = (((_e1239[2][0] - _e316) * _e417) - (_e1272 * _e341));
-                                                let _e1278 = (((_e1239[2][1] - _e355) * _e417) - (_e1272 * _e379));
-                                                let _e1279 = (_e1275 * _e1269);
-                                                let _e1280 = (_e1278 * _e1266);
-                                                let _e1281 = (_e1257 * _e1278);
-                                                let _e1282 = (_e1260 * _e1275);
-                                                let _e1283 = (_e1266 * _e1260);
-                                                let _e1284 = (_e1269 * _e1257);
-                                                let _e1289 = (((_e1279 >= _e1280) && (_e1281 >= _e1282)) && (_e1283 >= _e1284));
-                                                if (_e1289 || (((_e1279 <= _e1280) && (_e1281 <= _e1282)) && (_e1283 <= _e1284))) {
-                                                    let _e1296 = select(-1f, 1f, _e1289);
-                                                    let _e1298 = ((_e1279 - _e1280) * _e1296);
-                                                    let _e1300 = select(0f, _e1298, (_e1298 > 0f));
-                                                    let _e1302 = ((_e1281 - _e1282) * _e1296);
-                                                    let _e1304 = select(0f, _e1302, (_e1302 > 0f));
-                                                    let _e1306 = ((_e1283 - _e1284) * _e1296);
-                                                    let _e1308 = select(0f, _e1306, (_e1306 > 0f));
-                                                    let _e1310 = ((_e1300 + _e1304) + _e1308);
-                                                    if (_e1310 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1970_ = type_20();
-                                                        phi_1971_ = true;
+                                                let _e1236 = local_12;
+                                                let _e1251 = (_e1236[0][2] - _e393);
+                                                let _e1254 = (((_e1236[0][0] - _e316) * _e417) - (_e1251 * _e341));
+                                                let _e1257 = (((_e1236[0][1] - _e355) * _e417) - (_e1251 * _e379));
+                                                let _e1260 = (_e1236[1][2] - _e393);
+                                                let _e1263 = (((_e1236[1][0] - _e316) * _e417) - (_e1260 * _e341));
+                                                let _e1266 = (((_e1236[1][1] - _e355) * _e417) - (_e1260 * _e379));
+                                                let _e1269 = (_e1236[2][2] - _e393);
+                                                let _e1272 = (((_e1236[2][0] - _e316) * _e417) - (_e1269 * _e341));
+                                                let _e1275 = (((_e1236[2][1] - _e355) * _e417) - (_e1269 * _e379));
+                                                let _e1276 = (_e1272 * _e1266);
+                                                let _e1277 = (_e1275 * _e1263);
+                                                let _e1278 = (_e1254 * _e1275);
+                                                let _e1279 = (_e1257 * _e1272);
+                                                let _e1280 = (_e1263 * _e1257);
+                                                let _e1281 = (_e1266 * _e1254);
+                                                let _e1286 = (((_e1276 >= _e1277) && (_e1278 >= _e1279)) && (_e1280 >= _e1281));
+                                                if (_e1286 || (((_e1276 <= _e1277) && (_e1278 <= _e1279)) && (_e1280 <= _e1281))) {
+                                                    let _e1293 = select(-1f, 1f, _e1286);
+                                                    let _e1295 = ((_e1276 - _e1277) * _e1293);
+                                                    let _e1297 = select(0f, _e1295, (_e1295 > 0f));
+                                                    let _e1299 = ((_e1278 - _e1279) * _e1293);
+                                                    let _e1301 = select(0f, _e1299, (_e1299 > 0f));
+                                                    let _e1303 = ((_e1280 - _e1281) * _e1293);
+                                                    let _e1305 = select(0f, _e1303, (_e1303 > 0f));
+                                                    let _e1307 = ((_e1297 + _e1301) + _e1305);
+                                                    if (_e1307 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1969_ = type_20();
+                                                        phi_1970_ = true;
                                                     } else {
-                                                        let _e1313 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] < _e1239[1][0]));
-                                                        let _e1317 = select(_e1239[1][0], _e1239[0][0], (_e1239[0][0] > _e1239[1][0]));
-                                                        let _e1321 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] < _e1239[1][1]));
-                                                        let _e1325 = select(_e1239[1][1], _e1239[0][1], (_e1239[0][1] > _e1239[1][1]));
-                                                        let _e1329 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] < _e1239[1][2]));
-                                                        let _e1333 = select(_e1239[1][2], _e1239[0][2], (_e1239[0][2] > _e1239[1][2]));
-                                                        let _e1338 = ((select(_e1239[2][0], _e1313, (_e1313 < _e1239[2][0])) - _e339) * _e344);
-                                                        let _e1339 = ((select(_e1239[2][0], _e1317, (_e1317 > _e1239[2][0])) - _e340) * _e344);
-                                                        let _e1342 = ((select(_e1239[2][1], _e1321, (_e1321 < _e1239[2][1])) - _e377) * _e382);
-                                                        let _e1343 = ((select(_e1239[2][1], _e1325, (_e1325 > _e1239[2][1])) - _e378) * _e382);
-                                                        let _e1346 = ((select(_e1239[2][2], _e1329, (_e1329 < _e1239[2][2])) - _e415) * _e420);
-                                                        let _e1347 = ((select(_e1239[2][2], _e1333, (_e1333 > _e1239[2][2])) - _e416) * _e420);
-                                                        let _e1349 = select(_e1347, _e1346, (_e1346 < _e1347));
-                                                        let _e1351 = select(_e1347, _e1346, (_e1346 > _e1347));
-                                                        let _e1353 = select(_e1339, _e1338, (_e1338 < _e1339));
-                                                        let _e1355 = select(_e1343, _e1342, (_e1342 < _e1343));
-                                                        let _e1357 = select(_e1355, _e1353, (_e1353 > _e1355));
-                                                        let _e1359 = select(_e1349, _e1357, (_e1357 > _e1349));
-                                                        let _e1361 = select(_e1339, _e1338, (_e1338 > _e1339));
-                                                        let _e1363 = select(_e1343, _e1342, (_e1342 > _e1343));
-                                                        let _e1365 = select(_e1363, _e1361, (_e1361 < _e1363));
-                                                        let _e1367 = select(_e1351, _e1365, (_e1365 < _e1351));
-                                                        let _e1368 = -(_e1349);
-                                                        let _e1374 = select(_e467, _e1359, (_e1359 > _e467));
-                                                        if (_e1374 > (_e1367 + (select(_e1368, _e1351, (_e1351 > _e1368)) * 0.0000019073523f))) {
-                                                            phi_1965_ = type_20();
-                                                            phi_1966_ = true;
+                                                        let _e1310 = select(_e1236[1][0], _e1236[0][0], (_e1236[0][0] < _e1236[1][0]));
+                                                        let _e1314 = select(_e1236[1][0], _e1236[0][0], (_e1236[0][0] > _e1236[1][0]));
+                                                        let _e1318 = select(_e1236[1][1], _e1236[0][1], (_e1236[0][1] < _e1236[1][1]));
+                                                        let _e1322 = select(_e1236[1][1], _e1236[0][1], (_e1236[0][1] > _e1236[1][1]));
+                                                        let _e1326 = select(_e1236[1][2], _e1236[0][2], (_e1236[0][2] < _e1236[1][2]));
+                                                        let _e1330 = select(_e1236[1][2], _e1236[0][2], (_e1236[0][2] > _e1236[1][2]));
+                                                        let _e1335 = ((select(_e1236[2][0], _e1310, (_e1310 < _e1236[2][0])) - _e339) * _e344);
+                                                        let _e1336 = ((select(_e1236[2][0], _e1314, (_e1314 > _e1236[2][0])) - _e340) * _e344);
+                                                        let _e1339 = ((select(_e1236[2][1], _e1318, (_e1318 < _e1236[2][1])) - _e377) * _e382);
+                                                        let _e1340 = ((select(_e1236[2][1], _e1322, (_e1322 > _e1236[2][1])) - _e378) * _e382);
+                                                        let _e1343 = ((select(_e1236[2][2], _e1326, (_e1326 < _e1236[2][2])) - _e415) * _e420);
+                                                        let _e1344 = ((select(_e1236[2][2], _e1330, (_e1330 > _e1236[2][2])) - _e416) * _e420);
+                                                        let _e1346 = select(_e1344, _e1343, (_e1343 < _e1344));
+                                                        let _e1348 = select(_e1344, _e1343, (_e1343 > _e1344));
+                                                        let _e1350 = select(_e1336, _e1335, (_e1335 < _e1336));
+                                                        let _e1352 = select(_e1340, _e1339, (_e1339 < _e1340));
+                                                        let _e1354 = select(_e1352, _e1350, (_e1350 > _e1352));
+                                                        let _e1356 = select(_e1346, _e1354, (_e1354 > _e1346));
+                                                        let _e1358 = select(_e1336, _e1335, (_e1335 > _e1336));
+                                                        let _e1360 = select(_e1340, _e1339, (_e1339 > _e1340));
+                                                        let _e1362 = select(_e1360, _e1358, (_e1358 < _e1360));
+                                                        let _e1364 = select(_e1348, _e1362, (_e1362 < _e1348));
+                                                        let _e1365 = -(_e1346);
+                                                        let _e1371 = select(_e467, _e1356, (_e1356 > _e467));
+                                                        if (_e1371 > (_e1364 + (select(_e1365, _e1348, (_e1348 > _e1365)) * 0.0000019073523f))) {
+                                                            phi_1964_ = type_20();
+                                                            phi_1965_ = true;
                                                         } else {
-                                                            let _e1376 = (_e1374 > _e1037);
-                                                            if _e1376 {
-                                                                phi_1964_ = type_20();
+                                                            let _e1373 = (_e1371 > _e1034);
+                                                            if _e1373 {
+                                                                phi_1963_ = type_20();
                                                             } else {
-                                                                let _e1380 = (_e1239[1][0] - _e1239[0][0]);
-                                                                let _e1381 = (_e1239[1][1] - _e1239[0][1]);
-                                                                let _e1382 = (_e1239[1][2] - _e1239[0][2]);
-                                                                let _e1383 = vec3<f32>(_e1380, _e1381, _e1382);
-                                                                let _e1384 = (_e1239[2][0] - _e1239[1][0]);
-                                                                let _e1385 = (_e1239[2][1] - _e1239[1][1]);
-                                                                let _e1386 = (_e1239[2][2] - _e1239[1][2]);
-                                                                let _e1387 = vec3<f32>(_e1384, _e1385, _e1386);
-                                                                let _e1388 = (_e1239[0][0] - _e1239[2][0]);
-                                                                let _e1389 = (_e1239[0][1] - _e1239[2][1]);
-                                                                let _e1390 = (_e1239[0][2] - _e1239[2][2]);
-                                                                let _e1391 = vec3<f32>(_e1388, _e1389, _e1390);
-                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1380) & 2147483647u));
-                                                                let _e1397 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
-                                                                let _e1399 = select(_e1397, _e1394, (_e1394 > _e1397));
-                                                                let _e1402 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
-                                                                let _e1404 = select(_e1402, _e1399, (_e1399 > _e1402));
-                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1384) & 2147483647u));
-                                                                let _e1410 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
-                                                                let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                let _e1415 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
-                                                                let _e1417 = select(_e1415, _e1412, (_e1412 > _e1415));
-                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1388) & 2147483647u));
-                                                                let _e1423 = bitcast<f32>((bitcast<u32>(_e1389) & 2147483647u));
-                                                                let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
-                                                                let _e1428 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
-                                                                let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                let _e1432 = select(_e1417, _e1404, (_e1404 > _e1417));
-                                                                let _e1434 = select(_e1430, _e1432, (_e1432 > _e1430));
-                                                                if (_e1404 == _e1434) {
-                                                                    phi_1875_ = _e1387;
-                                                                    phi_1876_ = _e1391;
+                                                                let _e1377 = (_e1236[1][0] - _e1236[0][0]);
+                                                                let _e1378 = (_e1236[1][1] - _e1236[0][1]);
+                                                                let _e1379 = (_e1236[1][2] - _e1236[0][2]);
+                                                                let _e1380 = vec3<f32>(_e1377, _e1378, _e1379);
+                                                                let _e1381 = (_e1236[2][0] - _e1236[1][0]);
+                                                                let _e1382 = (_e1236[2][1] - _e1236[1][1]);
+                                                                let _e1383 = (_e1236[2][2] - _e1236[1][2]);
+                                                                let _e1384 = vec3<f32>(_e1381, _e1382, _e1383);
+                                                                let _e1385 = (_e1236[0][0] - _e1236[2][0]);
+                                                                let _e1386 = (_e1236[0][1] - _e1236[2][1]);
+                                                                let _e1387 = (_e1236[0][2] - _e1236[2][2]);
+                                                                let _e1388 = vec3<f32>(_e1385, _e1386, _e1387);
+                                                                let _e1391 = bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u));
+                                                                let _e1394 = bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u));
+                                                                let _e1396 = select(_e1394, _e1391, (_e1391 > _e1394));
+                                                                let _e1399 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
+                                                                let _e1401 = select(_e1399, _e1396, (_e1396 > _e1399));
+                                                                let _e1404 = bitcast<f32>((bitcast<u32>(_e1381) & 2147483647u));
+                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
+                                                                let _e1409 = select(_e1407, _e1404, (_e1404 > _e1407));
+                                                                let _e1412 = bitcast<f32>((bitcast<u32>(_e1383) & 2147483647u));
+                                                                let _e1414 = select(_e1412, _e1409, (_e1409 > _e1412));
+                                                                let _e1417 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
+                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u));
+                                                                let _e1422 = select(_e1420, _e1417, (_e1417 > _e1420));
+                                                                let _e1425 = bitcast<f32>((bitcast<u32>(_e1387) & 2147483647u));
+                                                                let _e1427 = select(_e1425, _e1422, (_e1422 > _e1425));
+                                                                let _e1429 = select(_e1414, _e1401, (_e1401 > _e1414));
+                                                                let _e1431 = select(_e1427, _e1429, (_e1429 > _e1427));
+                                                                if (_e1401 == _e1431) {
+                                                                    phi_1874_ = _e1384;
+                                                                    phi_1875_ = _e1388;
                                                                 } else {
-                                                                    let _e1437 = vec3((_e1417 == _e1434));
-                                                                    phi_1875_ = select(_e1383, _e1391, _e1437);
-                                                                    phi_1876_ = select(_e1387, _e1383, _e1437);
+                                                                    let _e1434 = vec3((_e1414 == _e1431));
+                                                                    phi_1874_ = select(_e1380, _e1388, _e1434);
+                                                                    phi_1875_ = select(_e1384, _e1380, _e1434);
                                                                 }
-                                                                let _e1441 = phi_1875_;
-                                                                let _e1443 = phi_1876_;
-                                                                let _e1450 = ((_e1441.y * _e1443.z) - (_e1443.y * _e1441.z));
-                                                                let _e1455 = ((_e1441.z * _e1443.x) - (_e1443.z * _e1441.x));
-                                                                let _e1458 = ((_e1441.x * _e1443.y) - (_e1443.x * _e1441.y));
-                                                                if (_e1300 >= _e1304) {
-                                                                    phi_1907_ = select(true, false, (_e1300 >= _e1308));
+                                                                let _e1438 = phi_1874_;
+                                                                let _e1440 = phi_1875_;
+                                                                let _e1447 = ((_e1438.y * _e1440.z) - (_e1440.y * _e1438.z));
+                                                                let _e1452 = ((_e1438.z * _e1440.x) - (_e1440.z * _e1438.x));
+                                                                let _e1455 = ((_e1438.x * _e1440.y) - (_e1440.x * _e1438.y));
+                                                                if (_e1297 >= _e1301) {
+                                                                    phi_1906_ = select(true, false, (_e1297 >= _e1305));
                                                                 } else {
-                                                                    phi_1907_ = true;
+                                                                    phi_1906_ = true;
                                                                 }
-                                                                let _e1463 = phi_1907_;
-                                                                if _e1463 {
-                                                                    phi_1916_ = select(vec3<f32>(_e1239[2][0], _e1239[2][1], _e1239[2][2]), vec3<f32>(_e1239[1][0], _e1239[1][1], _e1239[1][2]), vec3((_e1304 >= _e1308)));
+                                                                let _e1460 = phi_1906_;
+                                                                if _e1460 {
+                                                                    phi_1915_ = select(vec3<f32>(_e1236[2][0], _e1236[2][1], _e1236[2][2]), vec3<f32>(_e1236[1][0], _e1236[1][1], _e1236[1][2]), vec3((_e1301 >= _e1305)));
                                                                 } else {
-                                                                    phi_1916_ = vec3<f32>(_e1239[0][0], _e1239[0][1], _e1239[0][2]);
+                                                                    phi_1915_ = vec3<f32>(_e1236[0][0], _e1236[0][1], _e1236[0][2]);
                                                                 }
-                                                                let _e1468 = phi_1916_;
-                                                                let _e1485 = ((((_e1450 * (_e1468.x - _e316)) + (_e1455 * (_e1468.y - _e355))) + (_e1458 * (_e1468.z - _e393))) / (((_e1450 * _e341) + (_e1455 * _e379)) + (_e1458 * _e417)));
-                                                                let _e1487 = select(_e1367, _e1485, (_e1485 < _e1367));
-                                                                let _e1489 = select(_e1359, _e1487, (_e1487 > _e1359));
-                                                                if (_e1489 >= _e467) {
-                                                                    let _e1491 = (_e1489 <= _e1037);
-                                                                    if _e1491 {
-                                                                        let _e1492 = (1f / _e1310);
-                                                                        phi_1956_ = type_20(_e1489, (_e1304 * _e1492), (_e1308 * _e1492), _e1099);
+                                                                let _e1465 = phi_1915_;
+                                                                let _e1482 = ((((_e1447 * (_e1465.x - _e316)) + (_e1452 * (_e1465.y - _e355))) + (_e1455 * (_e1465.z - _e393))) / (((_e1447 * _e341) + (_e1452 * _e379)) + (_e1455 * _e417)));
+                                                                let _e1484 = select(_e1364, _e1482, (_e1482 < _e1364));
+                                                                let _e1486 = select(_e1356, _e1484, (_e1484 > _e1356));
+                                                                if (_e1486 >= _e467) {
+                                                                    let _e1488 = (_e1486 <= _e1034);
+                                                                    if _e1488 {
+                                                                        let _e1489 = (1f / _e1307);
+                                                                        phi_1955_ = type_20(_e1486, (_e1301 * _e1489), (_e1305 * _e1489), _e1096);
                                                                     } else {
-                                                                        phi_1956_ = type_20();
+                                                                        phi_1955_ = type_20();
                                                                     }
-                                                                    let _e1497 = phi_1956_;
-                                                                    phi_1958_ = _e1497;
-                                                                    phi_1959_ = select(true, false, _e1491);
+                                                                    let _e1494 = phi_1955_;
+                                                                    phi_1957_ = _e1494;
+                                                                    phi_1958_ = select(true, false, _e1488);
                                                                 } else {
-                                                                    phi_1958_ = type_20();
-                                                                    phi_1959_ = true;
+                                                                    phi_1957_ = type_20();
+                                                                    phi_1958_ = true;
                                                                 }
-                                                                let _e1500 = phi_1958_;
-                                                                let _e1502 = phi_1959_;
-                                                                if _e1502 {
-                                                                    phi_1963_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1497 = phi_1957_;
+                                                                let _e1499 = phi_1958_;
+                                                                if _e1499 {
+                                                                    phi_1962_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1963_ = _e1500;
+                                                                    phi_1962_ = _e1497;
                                                                 }
-                                                                let _e1504 = phi_1963_;
-                                                                phi_1964_ = _e1504;
+                                                                let _e1501 = phi_1962_;
+                                                                phi_1963_ = _e1501;
                                                             }
-                                                            let _e1506 = phi_1964_;
-                                                            phi_1965_ = _e1506;
-                                                            phi_1966_ = _e1376;
+                                                            let _e1503 = phi_1963_;
+                                                            phi_1964_ = _e1503;
+                                                            phi_1965_ = _e1373;
                                                         }
-                                                        let _e1508 = phi_1965_;
-                                                        let _e1510 = phi_1966_;
-                                                        phi_1970_ = _e1508;
-                                                        phi_1971_ = _e1510;
+                                                        let _e1505 = phi_1964_;
+                                                        let _e1507 = phi_1965_;
+                                                        phi_1969_ = _e1505;
+                                                        phi_1970_ = _e1507;
                                                     }
-                                                    let _e1512 = phi_1970_;
-                                                    let _e1514 = phi_1971_;
-                                                    phi_1975_ = _e1512;
-                                                    phi_1976_ = _e1514;
+                                                    let _e1509 = phi_1969_;
+                                                    let _e1511 = phi_1970_;
+                                                    phi_1974_ = _e1509;
+                                                    phi_1975_ = _e1511;
                                                 } else {
-                                                    phi_1975_ = type_20();
-                                                    phi_1976_ = true;
+                                                    phi_1974_ = type_20();
+                                                    phi_1975_ = true;
                                                 }
-                                                let _e1516 = phi_1975_;
-                                                let _e1518 = phi_1976_;
-                                                if _e1518 {
-                                                    phi_1980_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1513 = phi_1974_;
+                                                let _e1515 = phi_1975_;
+                                                if _e1515 {
+                                                    phi_1979_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1980_ = _e1516;
+                                                    phi_1979_ = _e1513;
                                                 }
-                                                let _e1520 = phi_1980_;
-                                                if (_e1520.member_3 != 4294967295u) {
-                                                    if (_e1099 != 4294967295u) {
-                                                        phi_1992_ = type_8(0u, 8u);
-                                                        phi_1995_ = _e1520;
+                                                let _e1517 = phi_1979_;
+                                                if (_e1517.member_3 != 4294967295u) {
+                                                    if (_e1096 != 4294967295u) {
+                                                        phi_1991_ = type_8(0u, 8u);
+                                                        phi_1994_ = _e1517;
                                                         loop {
-                                                            let _e1525 = phi_1992_;
-                                                            let _e1527 = phi_1995_;
-                                                            if (_e1525.member < _e1525.member_1) {
-                                                                phi_1993_ = type_8((_e1525.member + 1u), _e1525.member_1);
-                                                                phi_2018_ = type_8(1u, _e1525.member);
+                                                            let _e1522 = phi_1991_;
+                                                            let _e1524 = phi_1994_;
+                                                            if (_e1522.member < _e1522.member_1) {
+                                                                phi_1992_ = type_8((_e1522.member + 1u), _e1522.member_1);
+                                                                phi_2017_ = type_8(1u, _e1522.member);
                                                             } else {
-                                                                phi_1993_ = _e1525;
-                                                                phi_2018_ = type_8(0u, type_8().member_1);
+                                                                phi_1992_ = _e1522;
+                                                                phi_2017_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1540 = phi_1993_;
-                                                            let _e1542 = phi_2018_;
-                                                            let _e1546 = (bitcast<i32>(_e1542.member) != 0i);
-                                                            if _e1546 {
-                                                                let _e1547 = (_e1542.member_1 < 8u);
-                                                                if _e1547 {
+                                                            let _e1537 = phi_1992_;
+                                                            let _e1539 = phi_2017_;
+                                                            let _e1543 = (bitcast<i32>(_e1539.member) != 0i);
+                                                            if _e1543 {
+                                                                let _e1544 = (_e1539.member_1 < 8u);
+                                                                if _e1544 {
                                                                 } else {
-                                                                    phi_4038_ = true;
+                                                                    phi_3880_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1552 = local_9[_e1542.member_1].member;
-                                                                if (_e1527.member < _e1552) {
-                                                                    phi_2051_ = true;
+                                                                let _e1549 = local_9[_e1539.member_1].member;
+                                                                if (_e1524.member < _e1549) {
+                                                                    phi_2050_ = true;
                                                                 } else {
-                                                                    let _e1554 = local_9[_e1542.member_1].member;
-                                                                    if (_e1527.member == _e1554) {
-                                                                        let _e1559 = local_9[_e1542.member_1].member_3;
-                                                                        phi_2050_ = (_e1527.member_3 < _e1559);
+                                                                    let _e1551 = local_9[_e1539.member_1].member;
+                                                                    if (_e1524.member == _e1551) {
+                                                                        let _e1556 = local_9[_e1539.member_1].member_3;
+                                                                        phi_2049_ = (_e1524.member_3 < _e1556);
                                                                     } else {
-                                                                        phi_2050_ = false;
+                                                                        phi_2049_ = false;
                                                                     }
-                                                                    let _e1562 = phi_2050_;
-                                                                    phi_2051_ = _e1562;
+                                                                    let _e1559 = phi_2049_;
+                                                                    phi_2050_ = _e1559;
                                                                 }
-                                                                let _e1564 = phi_2051_;
-                                                                if _e1564 {
-                                                                    if _e1547 {
+                                                                let _e1561 = phi_2050_;
+                                                                if _e1561 {
+                                                                    if _e1544 {
                                                                     } else {
-                                                                        phi_4038_ = true;
+                                                                        phi_3880_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1565 = local_9[_e1542.member_1];
-                                                                    local_9[_e1542.member_1] = type_20(_e1527.member, _e1527.member_1, _e1527.member_2, _e1527.member_3);
-                                                                    phi_2072_ = type_20(_e1565.member, _e1565.member_1, _e1565.member_2, _e1565.member_3);
+                                                                    let _e1562 = local_9[_e1539.member_1];
+                                                                    local_9[_e1539.member_1] = type_20(_e1524.member, _e1524.member_1, _e1524.member_2, _e1524.member_3);
+                                                                    phi_2071_ = type_20(_e1562.member, _e1562.member_1, _e1562.member_2, _e1562.member_3);
                                                                 } else {
-                                                                    phi_2072_ = _e1527;
+                                                                    phi_2071_ = _e1524;
                                                                 }
-                                                                let _e1576 = phi_2072_;
-                                                                phi_1996_ = _e1576;
+                                                                let _e1573 = phi_2071_;
+                                                                phi_1995_ = _e1573;
                                                             } else {
-                                                                phi_1996_ = type_20();
+                                                                phi_1995_ = type_20();
                                                             }
-                                                            let _e1578 = phi_1996_;
+                                                            let _e1575 = phi_1995_;
                                                             continue;
                                                             continuing {
-                                                                phi_1992_ = _e1540;
-                                                                phi_1995_ = _e1578;
-                                                                phi_4038_ = _e1238;
-                                                                break if !(_e1546);
+                                                                phi_1991_ = _e1537;
+                                                                phi_1994_ = _e1575;
+                                                                phi_3880_ = _e1235;
+                                                                break if !(_e1543);
                                                             }
                                                         }
-                                                        let _e1581 = phi_4038_;
-                                                        phi_4259_ = _e1037;
-                                                        phi_4097_ = _e1581;
-                                                        if _e1581 {
+                                                        let _e1578 = phi_3880_;
+                                                        phi_4086_ = _e1034;
+                                                        phi_3939_ = _e1578;
+                                                        if _e1578 {
                                                             break;
                                                         }
-                                                        let _e1584 = local_9[7u].member_3;
-                                                        if (_e1584 != 4294967295u) {
-                                                            let _e1588 = local_9[7u].member;
-                                                            phi_4322_ = _e1588;
+                                                        let _e1581 = local_9[7u].member_3;
+                                                        if (_e1581 != 4294967295u) {
+                                                            let _e1585 = local_9[7u].member;
+                                                            phi_4149_ = _e1585;
                                                         } else {
-                                                            phi_4322_ = _e1037;
+                                                            phi_4149_ = _e1034;
                                                         }
-                                                        let _e1590 = phi_4322_;
-                                                        phi_4321_ = _e1590;
-                                                        phi_4100_ = _e1581;
+                                                        let _e1587 = phi_4149_;
+                                                        phi_4148_ = _e1587;
+                                                        phi_3942_ = _e1578;
                                                     } else {
-                                                        phi_4321_ = _e1037;
-                                                        phi_4100_ = _e1238;
+                                                        phi_4148_ = _e1034;
+                                                        phi_3942_ = _e1235;
                                                     }
-                                                    let _e1592 = phi_4321_;
-                                                    let _e1594 = phi_4100_;
-                                                    phi_4320_ = _e1592;
-                                                    phi_4099_ = _e1594;
+                                                    let _e1589 = phi_4148_;
+                                                    let _e1591 = phi_3942_;
+                                                    phi_4147_ = _e1589;
+                                                    phi_3941_ = _e1591;
                                                 } else {
-                                                    phi_4320_ = _e1037;
-                                                    phi_4099_ = _e1238;
+                                                    phi_4147_ = _e1034;
+                                                    phi_3941_ = _e1235;
                                                 }
-                                                let _e1596 = phi_4320_;
-                                                let _e1598 = phi_4099_;
-                                                phi_4319_ = _e1596;
-                                                phi_4098_ = _e1598;
+                                                let _e1593 = phi_4147_;
+                                                let _e1595 = phi_3941_;
+                                                phi_4146_ = _e1593;
+                                                phi_3940_ = _e1595;
                                             } else {
-                                                phi_4319_ = _e1037;
-                                                phi_4098_ = _e1039;
+                                                phi_4146_ = _e1034;
+                                                phi_3940_ = _e1036;
                                             }
-                                            let _e1600 = phi_4319_;
-                                            let _e1602 = phi_4098_;
+                                            let _e1597 = phi_4146_;
+                                            let _e1599 = phi_3940_;
                                             continue;
                                             continuing {
-                                                phi_4026_ = _e1600;
-                                                phi_3951_ = _e1602;
-                                                phi_1049_ = _e1054;
-                                                phi_4259_ = _e1600;
-                                                phi_4097_ = _e1602;
-                                                break if !(_e1060);
+                                                phi_3868_ = _e1597;
+                                                phi_3793_ = _e1599;
+                                                phi_1048_ = _e1051;
+                                                phi_4086_ = _e1597;
+                                                phi_3939_ = _e1599;
+                                                break if !(_e1057);
                                             }
                                         }
-                                        let _e1605 = phi_4259_;
-                                        let _e1607 = phi_4097_;
-                                        phi_4102_ = _e1607;
-                                        if _e1607 {
+                                        let _e1602 = phi_4086_;
+                                        let _e1604 = phi_3939_;
+                                        phi_3944_ = _e1604;
+                                        if _e1604 {
                                             break;
                                         }
-                                        phi_4224_ = _e1605;
-                                        phi_4106_ = _e1607;
-                                        phi_3466_ = _e548;
-                                        phi_3467_ = false;
-                                        phi_3468_ = _e552;
+                                        phi_4051_ = _e1602;
+                                        phi_3948_ = _e1604;
+                                        phi_3323_ = _e548;
+                                        phi_3324_ = false;
+                                        phi_3325_ = _e552;
                                     } else {
                                         if (_e548.member_1 >= _e96) {
-                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_2878_ = type_56(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_55(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e548.member_1 < _e96) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e566 = ((1u + (_e267 * 2u)) % 7u);
+                                            let _e564 = (_e267 * 2u);
+                                            let _e566 = ((1u + _e564) % 7u);
                                             if (_e566 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
                                             let _e571 = global_4.member[_e548.member_1][_e566];
-                                            let _e574 = ((1u + (_e266 * 2u)) % 7u);
-                                            if (_e574 < 7u) {
+                                            let _e573 = ((_e564 + 2u) % 7u);
+                                            if (_e573 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e579 = global_4.member[_e548.member_1][_e574];
-                                            let _e582 = ((1u + (_e268 * 2u)) % 7u);
-                                            if (_e582 < 7u) {
+                                            let _e578 = global_4.member[_e548.member_1][_e573];
+                                            let _e579 = (_e266 * 2u);
+                                            let _e581 = ((1u + _e579) % 7u);
+                                            if (_e581 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e587 = global_4.member[_e548.member_1][_e582];
-                                            let _e590 = (((_e267 + 1u) * 2u) % 7u);
-                                            if (_e590 < 7u) {
+                                            let _e586 = global_4.member[_e548.member_1][_e581];
+                                            let _e588 = ((_e579 + 2u) % 7u);
+                                            if (_e588 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e595 = global_4.member[_e548.member_1][_e590];
-                                            let _e598 = (((_e266 + 1u) * 2u) % 7u);
-                                            if (_e598 < 7u) {
+                                            let _e593 = global_4.member[_e548.member_1][_e588];
+                                            let _e594 = (_e268 * 2u);
+                                            let _e596 = ((1u + _e594) % 7u);
+                                            if (_e596 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e603 = global_4.member[_e548.member_1][_e598];
-                                            let _e606 = (((_e268 + 1u) * 2u) % 7u);
-                                            if (_e606 < 7u) {
+                                            let _e601 = global_4.member[_e548.member_1][_e596];
+                                            let _e603 = ((_e594 + 2u) % 7u);
+                                            if (_e603 < 7u) {
                                             } else {
-                                                phi_4102_ = true;
+                                                phi_3944_ = true;
                                                 break;
                                             }
-                                            let _e611 = global_4.member[_e548.member_1][_e606];
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.x - _e548.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.y - _e548.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e636 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.z - _e548.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e638 = select(_e147, _e634, (_e634 > _e147));
-                                            let _e640 = select(_e147, _e635, (_e635 > _e147));
-                                            let _e642 = select(_e147, _e636, (_e636 > _e147));
-                                            let _e667 = bitcast<u32>((f32(bitcast<i32>((_e571 & 2097151u))) * _e638));
-                                            let _e672 = (bitcast<i32>((_e571 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e675 = bitcast<f32>((_e667 & bitcast<u32>(_e672)));
-                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e579 & 2097151u))) * _e640));
-                                            let _e681 = (bitcast<i32>((_e579 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
-                                            let _e685 = bitcast<u32>((f32(bitcast<i32>((_e587 & 2097151u))) * _e642));
-                                            let _e690 = (bitcast<i32>((_e587 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
-                                            let _e697 = bitcast<f32>((_e667 & bitcast<u32>(~(_e672))));
-                                            let _e701 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
-                                            let _e705 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
-                                            let _e706 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e638));
-                                            let _e711 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e714 = bitcast<f32>((_e706 & bitcast<u32>(_e711)));
-                                            let _e715 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e640));
-                                            let _e720 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e723 = bitcast<f32>((_e715 & bitcast<u32>(_e720)));
-                                            let _e724 = bitcast<u32>((f32(bitcast<i32>((_e611 & 2097151u))) * _e642));
-                                            let _e729 = (bitcast<i32>((_e611 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
-                                            let _e736 = bitcast<f32>((_e706 & bitcast<u32>(~(_e711))));
-                                            let _e740 = bitcast<f32>((_e715 & bitcast<u32>(~(_e720))));
-                                            let _e744 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
-                                            let _e745 = (_e548.member.member.x + _e675);
-                                            let _e746 = (_e548.member.member.y + _e684);
-                                            let _e747 = (_e548.member.member.z + _e693);
-                                            let _e750 = (_e548.member.member_1.x - _e714);
-                                            let _e751 = (_e548.member.member_1.y - _e723);
-                                            let _e752 = (_e548.member.member_1.z - _e732);
-                                            let _e771 = (_e750 - _e745);
-                                            let _e772 = (_e751 - _e746);
-                                            let _e773 = (_e752 - _e747);
-                                            let _e775 = select(_e772, _e771, (_e771 > _e772));
-                                            let _e777 = select(_e773, _e775, (_e775 > _e773));
-                                            if (_e777 < (1024f * _e147)) {
-                                                phi_2722_ = 0u;
+                                            let _e608 = global_4.member[_e548.member_1][_e603];
+                                            let _e631 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.x - _e548.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e632 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.y - _e548.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.z - _e548.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e635 = select(_e147, _e631, (_e631 > _e147));
+                                            let _e637 = select(_e147, _e632, (_e632 > _e147));
+                                            let _e639 = select(_e147, _e633, (_e633 > _e147));
+                                            let _e664 = bitcast<u32>((f32(bitcast<i32>((_e571 & 2097151u))) * _e635));
+                                            let _e669 = (bitcast<i32>((_e571 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e672 = bitcast<f32>((_e664 & bitcast<u32>(_e669)));
+                                            let _e673 = bitcast<u32>((f32(bitcast<i32>((_e586 & 2097151u))) * _e637));
+                                            let _e678 = (bitcast<i32>((_e586 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e681 = bitcast<f32>((_e673 & bitcast<u32>(_e678)));
+                                            let _e682 = bitcast<u32>((f32(bitcast<i32>((_e601 & 2097151u))) * _e639));
+                                            let _e687 = (bitcast<i32>((_e601 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e690 = bitcast<f32>((_e682 & bitcast<u32>(_e687)));
+                                            let _e694 = bitcast<f32>((_e664 & bitcast<u32>(~(_e669))));
+                                            let _e698 = bitcast<f32>((_e673 & bitcast<u32>(~(_e678))));
+                                            let _e702 = bitcast<f32>((_e682 & bitcast<u32>(~(_e687))));
+                                            let _e703 = bitcast<u32>((f32(bitcast<i32>((_e578 & 2097151u))) * _e635));
+                                            let _e708 = (bitcast<i32>((_e578 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e711 = bitcast<f32>((_e703 & bitcast<u32>(_e708)));
+                                            let _e712 = bitcast<u32>((f32(bitcast<i32>((_e593 & 2097151u))) * _e637));
+                                            let _e717 = (bitcast<i32>((_e593 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e720 = bitcast<f32>((_e712 & bitcast<u32>(_e717)));
+                                            let _e721 = bitcast<u32>((f32(bitcast<i32>((_e608 & 2097151u))) * _e639));
+                                            let _e726 = (bitcast<i32>((_e608 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e729 = bitcast<f32>((_e721 & bitcast<u32>(_e726)));
+                                            let _e733 = bitcast<f32>((_e703 & bitcast<u32>(~(_e708))));
+                                            let _e737 = bitcast<f32>((_e712 & bitcast<u32>(~(_e717))));
+                                            let _e741 = bitcast<f32>((_e721 & bitcast<u32>(~(_e726))));
+                                            let _e742 = (_e548.member.member.x + _e672);
+                                            let _e743 = (_e548.member.member.y + _e681);
+                                            let _e744 = (_e548.member.member.z + _e690);
+                                            let _e747 = (_e548.member.member_1.x - _e711);
+                                            let _e748 = (_e548.member.member_1.y - _e720);
+                                            let _e749 = (_e548.member.member_1.z - _e729);
+                                            let _e768 = (_e747 - _e742);
+                                            let _e769 = (_e748 - _e743);
+                                            let _e770 = (_e749 - _e744);
+                                            let _e772 = select(_e769, _e768, (_e768 > _e769));
+                                            let _e774 = select(_e770, _e772, (_e772 > _e770));
+                                            if (_e774 < (1024f * _e147)) {
+                                                phi_2579_ = 0u;
                                             } else {
-                                                phi_2722_ = select(2u, 1u, (_e777 < (2097152f * _e147)));
+                                                phi_2579_ = select(2u, 1u, (_e774 < (2097152f * _e147)));
                                             }
-                                            let _e784 = phi_2722_;
-                                            switch bitcast<i32>(_e784) {
+                                            let _e781 = phi_2579_;
+                                            switch bitcast<i32>(_e781) {
                                                 case 0: {
-                                                    phi_2728_ = 1u;
+                                                    phi_2585_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2728_ = 2u;
+                                                    phi_2585_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2728_ = 3u;
+                                                    phi_2585_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2728_ = u32();
+                                                    phi_2585_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e787 = phi_2728_;
-                                            let _e793 = global_4.member[_e548.member_1][0u];
-                                            let _e797 = global_4.member[_e548.member_1][2u];
-                                            let _e801 = global_4.member[_e548.member_1][4u];
-                                            let _e805 = global_4.member[_e548.member_1][6u];
-                                            let _e817 = (((_e797 >> bitcast<u32>(22i)) | ((_e801 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e805 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e818 = (_e793 & 268435455u);
-                                            let _e819 = (_e817 & 268435455u);
-                                            let _e822 = ((_e793 >> bitcast<u32>(28u)) & 7u);
-                                            let _e830 = ((_e793 >> bitcast<u32>(31i)) | (((_e817 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e831 = (_e822 != 0u);
-                                            if (_e822 == 0u) {
-                                                phi_2983_ = _e818;
+                                            let _e784 = phi_2585_;
+                                            let _e790 = global_4.member[_e548.member_1][0u];
+                                            let _e794 = global_4.member[_e548.member_1][2u];
+                                            let _e798 = global_4.member[_e548.member_1][4u];
+                                            let _e802 = global_4.member[_e548.member_1][6u];
+                                            let _e814 = (((_e794 >> bitcast<u32>(22i)) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e802 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e815 = (_e790 & 268435455u);
+                                            let _e816 = (_e814 & 268435455u);
+                                            let _e819 = ((_e790 >> bitcast<u32>(28u)) & 7u);
+                                            let _e827 = ((_e790 >> bitcast<u32>(31i)) | (((_e814 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e828 = (_e819 != 0u);
+                                            if (_e819 == 0u) {
+                                                phi_2840_ = _e815;
                                             } else {
-                                                if (_e822 == 7u) {
-                                                    phi_2982_ = 2147483648u;
+                                                if (_e819 == 7u) {
+                                                    phi_2839_ = 2147483648u;
                                                 } else {
-                                                    phi_2982_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (_e819 & 268435455u));
+                                                    phi_2839_ = ((2147483648u | (_e819 << bitcast<u32>(28u))) | (_e816 & 268435455u));
                                                 }
-                                                let _e840 = phi_2982_;
-                                                phi_2983_ = _e840;
+                                                let _e837 = phi_2839_;
+                                                phi_2840_ = _e837;
                                             }
-                                            let _e842 = phi_2983_;
-                                            if _e831 {
-                                                let _e843 = (_e822 != 7u);
-                                                if _e843 {
-                                                    phi_2993_ = (_e819 + (_e822 * ((3u * _e787) + 1u)));
+                                            let _e839 = phi_2840_;
+                                            if _e828 {
+                                                let _e840 = (_e819 != 7u);
+                                                if _e840 {
+                                                    phi_2850_ = (_e816 + (_e819 * ((3u * _e784) + 1u)));
                                                 } else {
-                                                    phi_2993_ = u32();
+                                                    phi_2850_ = u32();
                                                 }
-                                                let _e847 = phi_2993_;
-                                                phi_2995_ = _e847;
-                                                phi_2996_ = select(true, false, _e843);
+                                                let _e844 = phi_2850_;
+                                                phi_2852_ = _e844;
+                                                phi_2853_ = select(true, false, _e840);
                                             } else {
-                                                phi_2995_ = u32();
-                                                phi_2996_ = true;
+                                                phi_2852_ = u32();
+                                                phi_2853_ = true;
                                             }
-                                            let _e850 = phi_2995_;
-                                            let _e852 = phi_2996_;
-                                            if (_e830 == 0u) {
-                                                phi_3017_ = (_e818 + select(0u, 1u, !(_e831)));
+                                            let _e847 = phi_2852_;
+                                            let _e849 = phi_2853_;
+                                            if (_e827 == 0u) {
+                                                phi_2874_ = (_e815 + select(0u, 1u, !(_e828)));
                                             } else {
-                                                if (_e830 == 7u) {
-                                                    phi_3016_ = 2147483648u;
+                                                if (_e827 == 7u) {
+                                                    phi_2873_ = 2147483648u;
                                                 } else {
-                                                    phi_3016_ = ((2147483648u | (_e830 << bitcast<u32>(28u))) | (select(_e850, _e819, _e852) & 268435455u));
+                                                    phi_2873_ = ((2147483648u | (_e827 << bitcast<u32>(28u))) | (select(_e847, _e816, _e849) & 268435455u));
                                                 }
-                                                let _e865 = phi_3016_;
-                                                phi_3017_ = _e865;
+                                                let _e862 = phi_2873_;
+                                                phi_2874_ = _e862;
                                             }
-                                            let _e867 = phi_3017_;
-                                            phi_3021_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e745, (_e548.member.member.x + _e697), _e750, (_e548.member.member_1.x - _e736)), vec4<f32>(_e746, (_e548.member.member.y + _e701), _e751, (_e548.member.member_1.y - _e740)), vec4<f32>(_e747, (_e548.member.member.z + _e705), _e752, (_e548.member.member_1.z - _e744))), type_55(type_24((_e548.member.member + vec4<f32>(_e675, _e684, _e693, 0f)), (_e548.member.member_1 - vec4<f32>(_e714, _e723, _e732, 0f))), _e842), type_55(type_24((_e548.member.member + vec4<f32>(_e697, _e701, _e705, 0f)), (_e548.member.member_1 - vec4<f32>(_e736, _e740, _e744, 0f))), _e867));
+                                            let _e864 = phi_2874_;
+                                            phi_2878_ = type_56(array<vec4<f32>, 3>(vec4<f32>(_e742, (_e548.member.member.x + _e694), _e747, (_e548.member.member_1.x - _e733)), vec4<f32>(_e743, (_e548.member.member.y + _e698), _e748, (_e548.member.member_1.y - _e737)), vec4<f32>(_e744, (_e548.member.member.z + _e702), _e749, (_e548.member.member_1.z - _e741))), type_55(type_24((_e548.member.member + vec4<f32>(_e672, _e681, _e690, 0f)), (_e548.member.member_1 - vec4<f32>(_e711, _e720, _e729, 0f))), _e839), type_55(type_24((_e548.member.member + vec4<f32>(_e694, _e698, _e702, 0f)), (_e548.member.member_1 - vec4<f32>(_e733, _e737, _e741, 0f))), _e864));
                                         }
-                                        let _e872 = phi_3021_;
-                                        let _e883 = ((_e872.member[0].x - _e339) * _e344);
-                                        let _e884 = ((_e872.member[0].y - _e339) * _e344);
-                                        let _e885 = ((_e872.member[0].z - _e340) * _e344);
-                                        let _e886 = ((_e872.member[0].w - _e340) * _e344);
-                                        let _e896 = ((_e872.member[1].x - _e377) * _e382);
-                                        let _e897 = ((_e872.member[1].y - _e377) * _e382);
-                                        let _e898 = ((_e872.member[1].z - _e378) * _e382);
-                                        let _e899 = ((_e872.member[1].w - _e378) * _e382);
-                                        let _e909 = ((_e872.member[2].x - _e415) * _e420);
-                                        let _e910 = ((_e872.member[2].y - _e415) * _e420);
-                                        let _e911 = ((_e872.member[2].z - _e416) * _e420);
-                                        let _e912 = ((_e872.member[2].w - _e416) * _e420);
-                                        let _e914 = select(_e911, _e909, (_e909 < _e911));
-                                        let _e916 = select(_e912, _e910, (_e910 < _e912));
-                                        let _e918 = select(_e911, _e909, (_e909 > _e911));
-                                        let _e920 = select(_e912, _e910, (_e910 > _e912));
-                                        let _e922 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e924 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e926 = select(_e898, _e896, (_e896 < _e898));
-                                        let _e928 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e930 = select(_e926, _e922, (_e922 > _e926));
-                                        let _e932 = select(_e928, _e924, (_e924 > _e928));
-                                        let _e934 = select(_e914, _e930, (_e930 > _e914));
-                                        let _e936 = select(_e916, _e932, (_e932 > _e916));
-                                        let _e938 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e940 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e942 = select(_e898, _e896, (_e896 > _e898));
-                                        let _e944 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e946 = select(_e942, _e938, (_e938 < _e942));
-                                        let _e948 = select(_e944, _e940, (_e940 < _e944));
-                                        let _e953 = -(_e914);
-                                        let _e954 = -(_e916);
-                                        let _e961 = (select(_e918, _e946, (_e946 < _e918)) + (select(_e953, _e918, (_e918 > _e953)) * 0.0000019073523f));
-                                        let _e962 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e954, _e920, (_e920 > _e954)) * 0.0000019073523f));
-                                        let _e964 = select(_e467, _e934, (_e934 > _e467));
-                                        let _e966 = select(_e467, _e936, (_e936 > _e467));
-                                        let _e971 = (_e964 <= select(_e510, _e961, (_e961 < _e510)));
-                                        let _e972 = (_e966 <= select(_e510, _e962, (_e962 < _e510)));
-                                        let _e973 = (_e964 <= _e966);
-                                        if _e971 {
-                                            if _e972 {
-                                                if _e973 {
-                                                    phi_3366_ = _e872.member_2;
+                                        let _e869 = phi_2878_;
+                                        let _e880 = ((_e869.member[0].x - _e339) * _e344);
+                                        let _e881 = ((_e869.member[0].y - _e339) * _e344);
+                                        let _e882 = ((_e869.member[0].z - _e340) * _e344);
+                                        let _e883 = ((_e869.member[0].w - _e340) * _e344);
+                                        let _e893 = ((_e869.member[1].x - _e377) * _e382);
+                                        let _e894 = ((_e869.member[1].y - _e377) * _e382);
+                                        let _e895 = ((_e869.member[1].z - _e378) * _e382);
+                                        let _e896 = ((_e869.member[1].w - _e378) * _e382);
+                                        let _e906 = ((_e869.member[2].x - _e415) * _e420);
+                                        let _e907 = ((_e869.member[2].y - _e415) * _e420);
+                                        let _e908 = ((_e869.member[2].z - _e416) * _e420);
+                                        let _e909 = ((_e869.member[2].w - _e416) * _e420);
+                                        let _e911 = select(_e908, _e906, (_e906 < _e908));
+                                        let _e913 = select(_e909, _e907, (_e907 < _e909));
+                                        let _e915 = select(_e908, _e906, (_e906 > _e908));
+                                        let _e917 = select(_e909, _e907, (_e907 > _e909));
+                                        let _e919 = select(_e882, _e880, (_e880 < _e882));
+                                        let _e921 = select(_e883, _e881, (_e881 < _e883));
+                                        let _e923 = select(_e895, _e893, (_e893 < _e895));
+                                        let _e925 = select(_e896, _e894, (_e894 < _e896));
+                                        let _e927 = select(_e923, _e919, (_e919 > _e923));
+                                        let _e929 = select(_e925, _e921, (_e921 > _e925));
+                                        let _e931 = select(_e911, _e927, (_e927 > _e911));
+                                        let _e933 = select(_e913, _e929, (_e929 > _e913));
+                                        let _e935 = select(_e882, _e880, (_e880 > _e882));
+                                        let _e937 = select(_e883, _e881, (_e881 > _e883));
+                                        let _e939 = select(_e895, _e893, (_e893 > _e895));
+                                        let _e941 = select(_e896, _e894, (_e894 > _e896));
+                                        let _e943 = select(_e939, _e935, (_e935 < _e939));
+                                        let _e945 = select(_e941, _e937, (_e937 < _e941));
+                                        let _e950 = -(_e911);
+                                        let _e951 = -(_e913);
+                                        let _e958 = (select(_e915, _e943, (_e943 < _e915)) + (select(_e950, _e915, (_e915 > _e950)) * 0.0000019073523f));
+                                        let _e959 = (select(_e917, _e945, (_e945 < _e917)) + (select(_e951, _e917, (_e917 > _e951)) * 0.0000019073523f));
+                                        let _e961 = select(_e467, _e931, (_e931 > _e467));
+                                        let _e963 = select(_e467, _e933, (_e933 > _e467));
+                                        let _e968 = (_e961 <= select(_e510, _e958, (_e958 < _e510)));
+                                        let _e969 = (_e963 <= select(_e510, _e959, (_e959 < _e510)));
+                                        let _e970 = (_e961 <= _e963);
+                                        if _e968 {
+                                            if _e969 {
+                                                if _e970 {
+                                                    phi_3223_ = _e869.member_2;
                                                 } else {
-                                                    phi_3366_ = _e872.member_1;
+                                                    phi_3223_ = _e869.member_1;
                                                 }
-                                                let _e977 = phi_3366_;
-                                                let _e999 = (_e552 % 128u);
-                                                let _e1000 = (_e999 < 128u);
-                                                if _e1000 {
+                                                let _e974 = phi_3223_;
+                                                let _e996 = (_e552 % 128u);
+                                                let _e997 = (_e996 < 128u);
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_8[_e999] = _e977.member_1;
-                                                if _e1000 {
+                                                local_8[_e996] = _e974.member_1;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_7[_e999] = _e977.member.member.x;
-                                                if _e1000 {
+                                                local_7[_e996] = _e974.member.member.x;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_6[_e999] = _e977.member.member.y;
-                                                if _e1000 {
+                                                local_6[_e996] = _e974.member.member.y;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_5[_e999] = _e977.member.member.z;
-                                                if _e1000 {
+                                                local_5[_e996] = _e974.member.member.z;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_4[_e999] = _e977.member.member_1.x;
-                                                if _e1000 {
+                                                local_4[_e996] = _e974.member.member_1.x;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_3[_e999] = _e977.member.member_1.y;
-                                                if _e1000 {
+                                                local_3[_e996] = _e974.member.member_1.y;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_2[_e999] = _e977.member.member_1.z;
-                                                if _e1000 {
+                                                local_2[_e996] = _e974.member.member_1.z;
+                                                if _e997 {
                                                 } else {
-                                                    phi_4102_ = true;
+                                                    phi_3944_ = true;
                                                     break;
                                                 }
-                                                local_10[_e999] = select(_e966, _e964, (_e964 > _e966));
-                                                if _e973 {
-                                                    phi_3443_ = _e872.member_1;
+                                                local_10[_e996] = select(_e963, _e961, (_e961 > _e963));
+                                                if _e970 {
+                                                    phi_3300_ = _e869.member_1;
                                                 } else {
-                                                    phi_3443_ = _e872.member_2;
+                                                    phi_3300_ = _e869.member_2;
                                                 }
-                                                let _e1013 = phi_3443_;
-                                                phi_3444_ = _e1013;
-                                                phi_3445_ = (_e552 + 1u);
+                                                let _e1010 = phi_3300_;
+                                                phi_3301_ = _e1010;
+                                                phi_3302_ = (_e552 + 1u);
                                             } else {
-                                                phi_3444_ = type_55();
-                                                phi_3445_ = u32();
+                                                phi_3301_ = type_55();
+                                                phi_3302_ = u32();
                                             }
-                                            let _e1015 = phi_3444_;
-                                            let _e1017 = phi_3445_;
-                                            phi_3447_ = _e1015;
-                                            phi_3448_ = _e1017;
-                                            phi_3449_ = select(true, false, _e972);
+                                            let _e1012 = phi_3301_;
+                                            let _e1014 = phi_3302_;
+                                            phi_3304_ = _e1012;
+                                            phi_3305_ = _e1014;
+                                            phi_3306_ = select(true, false, _e969);
                                         } else {
-                                            phi_3447_ = type_55();
-                                            phi_3448_ = u32();
-                                            phi_3449_ = true;
+                                            phi_3304_ = type_55();
+                                            phi_3305_ = u32();
+                                            phi_3306_ = true;
                                         }
-                                        let _e1020 = phi_3447_;
-                                        let _e1022 = phi_3448_;
-                                        let _e1024 = phi_3449_;
-                                        if _e1024 {
-                                            if _e971 {
-                                                phi_3458_ = _e872.member_1;
+                                        let _e1017 = phi_3304_;
+                                        let _e1019 = phi_3305_;
+                                        let _e1021 = phi_3306_;
+                                        if _e1021 {
+                                            if _e968 {
+                                                phi_3315_ = _e869.member_1;
                                             } else {
-                                                phi_3458_ = _e872.member_2;
+                                                phi_3315_ = _e869.member_2;
                                             }
-                                            let _e1028 = phi_3458_;
-                                            phi_3463_ = _e1028;
-                                            phi_3464_ = select(_e972, true, _e971);
+                                            let _e1025 = phi_3315_;
+                                            phi_3320_ = _e1025;
+                                            phi_3321_ = select(_e969, true, _e968);
                                         } else {
-                                            phi_3463_ = _e1020;
-                                            phi_3464_ = _e550;
+                                            phi_3320_ = _e1017;
+                                            phi_3321_ = _e550;
                                         }
-                                        let _e1031 = phi_3463_;
-                                        let _e1033 = phi_3464_;
-                                        phi_4224_ = _e510;
-                                        phi_4106_ = _e508;
-                                        phi_3466_ = _e1031;
-                                        phi_3467_ = _e1033;
-                                        phi_3468_ = select(_e1022, _e552, _e1024);
+                                        let _e1028 = phi_3320_;
+                                        let _e1030 = phi_3321_;
+                                        phi_4051_ = _e510;
+                                        phi_3948_ = _e508;
+                                        phi_3323_ = _e1028;
+                                        phi_3324_ = _e1030;
+                                        phi_3325_ = select(_e1019, _e552, _e1021);
                                     }
-                                    let _e1609 = phi_4224_;
-                                    let _e1611 = phi_4106_;
-                                    let _e1613 = phi_3466_;
-                                    let _e1615 = phi_3467_;
-                                    let _e1617 = phi_3468_;
-                                    phi_4223_ = _e1609;
-                                    phi_4105_ = _e1611;
-                                    phi_3469_ = _e1613;
-                                    phi_3470_ = (_e514 - 1u);
-                                    phi_3471_ = _e1615;
-                                    phi_3472_ = _e1617;
+                                    let _e1606 = phi_4051_;
+                                    let _e1608 = phi_3948_;
+                                    let _e1610 = phi_3323_;
+                                    let _e1612 = phi_3324_;
+                                    let _e1614 = phi_3325_;
+                                    phi_4050_ = _e1606;
+                                    phi_3947_ = _e1608;
+                                    phi_3326_ = _e1610;
+                                    phi_3327_ = (_e514 - 1u);
+                                    phi_3328_ = _e1612;
+                                    phi_3329_ = _e1614;
                                 } else {
-                                    phi_4223_ = _e510;
-                                    phi_4105_ = _e508;
-                                    phi_3469_ = _e548;
-                                    phi_3470_ = _e514;
-                                    phi_3471_ = _e550;
-                                    phi_3472_ = _e552;
+                                    phi_4050_ = _e510;
+                                    phi_3947_ = _e508;
+                                    phi_3326_ = _e548;
+                                    phi_3327_ = _e514;
+                                    phi_3328_ = _e550;
+                                    phi_3329_ = _e552;
                                 }
-                                let _e1619 = phi_4223_;
-                                let _e1621 = phi_4105_;
-                                let _e1623 = phi_3469_;
-                                let _e1625 = phi_3470_;
-                                let _e1627 = phi_3471_;
-                                let _e1629 = phi_3472_;
-                                phi_4222_ = _e1619;
-                                phi_4104_ = _e1621;
-                                phi_3473_ = _e1623;
-                                phi_3474_ = _e1625;
-                                phi_3475_ = _e1627;
-                                phi_3476_ = _e1629;
+                                let _e1616 = phi_4050_;
+                                let _e1618 = phi_3947_;
+                                let _e1620 = phi_3326_;
+                                let _e1622 = phi_3327_;
+                                let _e1624 = phi_3328_;
+                                let _e1626 = phi_3329_;
+                                phi_4049_ = _e1616;
+                                phi_3946_ = _e1618;
+                                phi_3330_ = _e1620;
+                                phi_3331_ = _e1622;
+                                phi_3332_ = _e1624;
+                                phi_3333_ = _e1626;
                             } else {
-                                phi_4222_ = _e510;
-                                phi_4104_ = _e508;
-                                phi_3473_ = type_55();
-                                phi_3474_ = u32();
-                                phi_3475_ = bool();
-                                phi_3476_ = u32();
+                                phi_4049_ = _e510;
+                                phi_3946_ = _e508;
+                                phi_3330_ = type_55();
+                                phi_3331_ = u32();
+                                phi_3332_ = bool();
+                                phi_3333_ = u32();
                             }
-                            let _e1631 = phi_4222_;
-                            let _e1633 = phi_4104_;
-                            let _e1635 = phi_3473_;
-                            let _e1637 = phi_3474_;
-                            let _e1639 = phi_3475_;
-                            let _e1641 = phi_3476_;
-                            phi_4221_ = _e1631;
-                            phi_4103_ = _e1633;
-                            phi_924_ = _e1635;
-                            phi_927_ = _e1637;
-                            phi_929_ = _e1639;
-                            phi_931_ = _e1641;
-                            phi_3477_ = _e522;
+                            let _e1628 = phi_4049_;
+                            let _e1630 = phi_3946_;
+                            let _e1632 = phi_3330_;
+                            let _e1634 = phi_3331_;
+                            let _e1636 = phi_3332_;
+                            let _e1638 = phi_3333_;
+                            phi_4048_ = _e1628;
+                            phi_3945_ = _e1630;
+                            phi_923_ = _e1632;
+                            phi_926_ = _e1634;
+                            phi_928_ = _e1636;
+                            phi_930_ = _e1638;
+                            phi_3334_ = _e522;
                         } else {
-                            phi_4221_ = _e510;
-                            phi_4103_ = _e508;
-                            phi_924_ = type_55();
-                            phi_927_ = u32();
-                            phi_929_ = bool();
-                            phi_931_ = u32();
-                            phi_3477_ = false;
+                            phi_4048_ = _e510;
+                            phi_3945_ = _e508;
+                            phi_923_ = type_55();
+                            phi_926_ = u32();
+                            phi_928_ = bool();
+                            phi_930_ = u32();
+                            phi_3334_ = false;
                         }
-                        let _e1643 = phi_4221_;
-                        let _e1645 = phi_4103_;
-                        let _e1647 = phi_924_;
-                        let _e1649 = phi_927_;
-                        let _e1651 = phi_929_;
-                        let _e1653 = phi_931_;
-                        let _e1655 = phi_3477_;
+                        let _e1640 = phi_4048_;
+                        let _e1642 = phi_3945_;
+                        let _e1644 = phi_923_;
+                        let _e1646 = phi_926_;
+                        let _e1648 = phi_928_;
+                        let _e1650 = phi_930_;
+                        let _e1652 = phi_3334_;
                         continue;
                         continuing {
-                            phi_3954_ = _e1645;
-                            phi_3853_ = _e1643;
-                            phi_923_ = _e1647;
-                            phi_926_ = _e1649;
-                            phi_928_ = _e1651;
-                            phi_930_ = _e1653;
-                            phi_4102_ = _e1645;
-                            break if !(_e1655);
+                            phi_3796_ = _e1642;
+                            phi_3710_ = _e1640;
+                            phi_922_ = _e1644;
+                            phi_925_ = _e1646;
+                            phi_927_ = _e1648;
+                            phi_929_ = _e1650;
+                            phi_3944_ = _e1642;
+                            break if !(_e1652);
                         }
                     }
-                    let _e1658 = phi_4102_;
-                    if _e1658 {
+                    let _e1655 = phi_3944_;
+                    if _e1655 {
                         break;
                     }
-                    phi_3484_ = type_8(0u, 8u);
+                    phi_3341_ = type_8(0u, 8u);
                     loop {
-                        let _e1660 = phi_3484_;
-                        if (_e1660.member < _e1660.member_1) {
-                            phi_3485_ = type_8((_e1660.member + 1u), _e1660.member_1);
-                            phi_3508_ = type_8(1u, _e1660.member);
+                        let _e1657 = phi_3341_;
+                        if (_e1657.member < _e1657.member_1) {
+                            phi_3342_ = type_8((_e1657.member + 1u), _e1657.member_1);
+                            phi_3365_ = type_8(1u, _e1657.member);
                         } else {
-                            phi_3485_ = _e1660;
-                            phi_3508_ = type_8(0u, type_8().member_1);
+                            phi_3342_ = _e1657;
+                            phi_3365_ = type_8(0u, type_8().member_1);
                         }
-                        let _e1673 = phi_3485_;
-                        let _e1675 = phi_3508_;
-                        let _e1679 = (bitcast<i32>(_e1675.member) != 0i);
-                        if _e1679 {
-                            let _e1680 = (_e1675.member_1 < 8u);
-                            if _e1680 {
+                        let _e1670 = phi_3342_;
+                        let _e1672 = phi_3365_;
+                        let _e1676 = (bitcast<i32>(_e1672.member) != 0i);
+                        if _e1676 {
+                            let _e1677 = (_e1672.member_1 < 8u);
+                            if _e1677 {
                             } else {
-                                phi_4214_ = true;
+                                phi_4041_ = true;
                                 break;
                             }
-                            let _e1682 = local_9[_e1675.member_1];
-                            if (_e1682.member_3 != 4294967295u) {
-                                let _e1688 = -(_e434);
-                                let _e1689 = (_e1688 / 3i);
-                                let _e1696 = bitcast<f32>((bitcast<u32>((_e1689 + 127i)) << bitcast<u32>(23i)));
-                                let _e1704 = (((_e1682.member * _e1696) * _e1696) * bitcast<f32>((bitcast<u32>(((_e1688 - (2i * _e1689)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1706 = select(340282350000000000000000000000000000000f, _e1704, (_e1704 < 340282350000000000000000000000000000000f));
-                                phi_3574_ = type_20(select(-340282350000000000000000000000000000000f, _e1706, (_e1706 > -340282350000000000000000000000000000000f)), _e1682.member_1, _e1682.member_2, _e1682.member_3);
+                            let _e1679 = local_9[_e1672.member_1];
+                            if (_e1679.member_3 != 4294967295u) {
+                                let _e1685 = -(_e434);
+                                let _e1686 = (_e1685 / 3i);
+                                let _e1693 = bitcast<f32>((bitcast<u32>((_e1686 + 127i)) << bitcast<u32>(23i)));
+                                let _e1701 = (((_e1679.member * _e1693) * _e1693) * bitcast<f32>((bitcast<u32>(((_e1685 - (2i * _e1686)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1703 = select(340282350000000000000000000000000000000f, _e1701, (_e1701 < 340282350000000000000000000000000000000f));
+                                phi_3431_ = type_20(select(-340282350000000000000000000000000000000f, _e1703, (_e1703 > -340282350000000000000000000000000000000f)), _e1679.member_1, _e1679.member_2, _e1679.member_3);
                             } else {
-                                phi_3574_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3431_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1711 = phi_3574_;
-                            if _e1680 {
+                            let _e1708 = phi_3431_;
+                            if _e1677 {
                             } else {
-                                phi_4214_ = true;
+                                phi_4041_ = true;
                                 break;
                             }
-                            local_9[_e1675.member_1] = type_20(_e1711.member, _e1711.member_1, _e1711.member_2, _e1711.member_3);
+                            local_9[_e1672.member_1] = type_20(_e1708.member, _e1708.member_1, _e1708.member_2, _e1708.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3484_ = _e1673;
-                            phi_4214_ = _e1658;
-                            break if !(_e1679);
+                            phi_3341_ = _e1670;
+                            phi_4041_ = _e1655;
+                            break if !(_e1676);
                         }
                     }
-                    let _e1719 = phi_4214_;
-                    if _e1719 {
+                    let _e1716 = phi_4041_;
+                    if _e1716 {
                         break;
                     }
-                    let _e1720 = local_9;
+                    let _e1717 = local_9;
                     if _e155 {
                     } else {
                         break;
                     }
-                    global_6.member[_e153] = array<type_20, 8>(type_20(_e1720[0].member, _e1720[0].member_1, _e1720[0].member_2, _e1720[0].member_3), type_20(_e1720[1].member, _e1720[1].member_1, _e1720[1].member_2, _e1720[1].member_3), type_20(_e1720[2].member, _e1720[2].member_1, _e1720[2].member_2, _e1720[2].member_3), type_20(_e1720[3].member, _e1720[3].member_1, _e1720[3].member_2, _e1720[3].member_3), type_20(_e1720[4].member, _e1720[4].member_1, _e1720[4].member_2, _e1720[4].member_3), type_20(_e1720[5].member, _e1720[5].member_1, _e1720[5].member_2, _e1720[5].member_3), type_20(_e1720[6].member, _e1720[6].member_1, _e1720[6].member_2, _e1720[6].member_3), type_20(_e1720[7].member, _e1720[7].member_1, _e1720[7].member_2, _e1720[7].member_3));
+                    global_6.member[_e153] = array<type_20, 8>(type_20(_e1717[0].member, _e1717[0].member_1, _e1717[0].member_2, _e1717[0].member_3), type_20(_e1717[1].member, _e1717[1].member_1, _e1717[1].member_2, _e1717[1].member_3), type_20(_e1717[2].member, _e1717[2].member_1, _e1717[2].member_2, _e1717[2].member_3), type_20(_e1717[3].member, _e1717[3].member_1, _e1717[3].member_2, _e1717[3].member_3), type_20(_e1717[4].member, _e1717[4].member_1, _e1717[4].member_2, _e1717[4].member_3), type_20(_e1717[5].member, _e1717[5].member_1, _e1717[5].member_2, _e1717[5].member_3), type_20(_e1717[6].member, _e1717[6].member_1, _e1717[6].member_2, _e1717[6].member_3), type_20(_e1717[7].member, _e1717[7].member_1, _e1717[7].member_2, _e1717[7].member_3));
                 }
             }
             break;

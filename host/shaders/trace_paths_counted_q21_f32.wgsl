@@ -66,7 +66,7 @@ struct type_44 {
     member: array<vec4<u32>, 2>,
 }
 
-struct type_51 {
+struct type_48 {
     member: array<array<u32, 7>>,
 }
 
@@ -99,7 +99,7 @@ var<storage, read_write> global_5: type_4;
 @group(0) @binding(6) 
 var<storage, read_write> global_6: type_59;
 @group(0) @binding(1) 
-var<storage> global_7: type_51;
+var<storage> global_7: type_48;
 
 fn function_() {
     var local: array<i32, 3>;
@@ -112,118 +112,118 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_391_: i32;
-    var phi_392_: i32;
-    var phi_402_: bool;
-    var phi_412_: u32;
-    var phi_413_: u32;
-    var phi_415_: bool;
-    var phi_420_: u32;
-    var phi_453_: i32;
-    var phi_471_: f32;
-    var phi_477_: f32;
-    var phi_488_: f32;
-    var phi_494_: f32;
-    var phi_517_: f32;
-    var phi_528_: f32;
-    var phi_537_: f32;
-    var phi_543_: f32;
-    var phi_554_: f32;
-    var phi_560_: f32;
-    var phi_583_: f32;
-    var phi_594_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_620_: f32;
-    var phi_626_: f32;
-    var phi_649_: f32;
-    var phi_660_: f32;
-    var phi_760_: f32;
-    var phi_761_: f32;
-    var phi_3468_: bool;
-    var phi_859_: type_42;
-    var phi_862_: type_53;
-    var phi_864_: u32;
-    var phi_866_: bool;
-    var phi_868_: u32;
-    var phi_879_: bool;
-    var phi_965_: type_53;
-    var phi_966_: bool;
-    var phi_967_: u32;
-    var phi_2602_: u32;
-    var phi_2603_: u32;
-    var phi_2613_: u32;
-    var phi_2615_: u32;
-    var phi_2616_: bool;
-    var phi_2636_: u32;
-    var phi_2637_: u32;
-    var phi_2641_: type_54;
-    var phi_2985_: type_53;
-    var phi_3062_: type_53;
-    var phi_3063_: type_53;
-    var phi_3064_: u32;
-    var phi_3066_: type_53;
-    var phi_3067_: u32;
-    var phi_3068_: bool;
-    var phi_3077_: type_53;
-    var phi_3082_: type_53;
-    var phi_3083_: bool;
-    var phi_985_: type_42;
-    var phi_988_: type_7;
-    var phi_989_: type_7;
-    var phi_1011_: type_7;
-    var phi_1035_: u32;
-    var phi_1124_: array<array<f32, 3>, 3>;
-    var phi_1595_: vec3<f32>;
-    var phi_1596_: vec3<f32>;
-    var phi_1627_: bool;
-    var phi_1636_: vec3<f32>;
-    var phi_1676_: type_22;
+    var phi_387_: i32;
+    var phi_388_: i32;
+    var phi_398_: bool;
+    var phi_408_: u32;
+    var phi_409_: u32;
+    var phi_411_: bool;
+    var phi_416_: u32;
+    var phi_448_: i32;
+    var phi_466_: f32;
+    var phi_472_: f32;
+    var phi_483_: f32;
+    var phi_489_: f32;
+    var phi_512_: f32;
+    var phi_523_: f32;
+    var phi_532_: f32;
+    var phi_538_: f32;
+    var phi_549_: f32;
+    var phi_555_: f32;
+    var phi_578_: f32;
+    var phi_589_: f32;
+    var phi_598_: f32;
+    var phi_604_: f32;
+    var phi_615_: f32;
+    var phi_621_: f32;
+    var phi_644_: f32;
+    var phi_655_: f32;
+    var phi_755_: f32;
+    var phi_756_: f32;
+    var phi_3321_: bool;
+    var phi_854_: type_42;
+    var phi_857_: type_53;
+    var phi_859_: u32;
+    var phi_861_: bool;
+    var phi_863_: u32;
+    var phi_874_: bool;
+    var phi_960_: type_53;
+    var phi_961_: bool;
+    var phi_962_: u32;
+    var phi_2455_: u32;
+    var phi_2456_: u32;
+    var phi_2466_: u32;
+    var phi_2468_: u32;
+    var phi_2469_: bool;
+    var phi_2489_: u32;
+    var phi_2490_: u32;
+    var phi_2494_: type_54;
+    var phi_2838_: type_53;
+    var phi_2915_: type_53;
+    var phi_2916_: type_53;
+    var phi_2917_: u32;
+    var phi_2919_: type_53;
+    var phi_2920_: u32;
+    var phi_2921_: bool;
+    var phi_2930_: type_53;
+    var phi_2935_: type_53;
+    var phi_2936_: bool;
+    var phi_980_: type_42;
+    var phi_983_: type_7;
+    var phi_984_: type_7;
+    var phi_1006_: type_7;
+    var phi_1030_: u32;
+    var phi_1119_: array<array<f32, 3>, 3>;
+    var phi_1590_: vec3<f32>;
+    var phi_1591_: vec3<f32>;
+    var phi_1622_: bool;
+    var phi_1631_: vec3<f32>;
+    var phi_1671_: type_22;
+    var phi_1673_: type_22;
+    var phi_1674_: bool;
     var phi_1678_: type_22;
-    var phi_1679_: bool;
-    var phi_1683_: type_22;
-    var phi_1684_: type_22;
+    var phi_1679_: type_22;
+    var phi_1680_: type_22;
+    var phi_1681_: bool;
     var phi_1685_: type_22;
     var phi_1686_: bool;
     var phi_1690_: type_22;
     var phi_1691_: bool;
     var phi_1695_: type_22;
-    var phi_1696_: bool;
-    var phi_1700_: type_22;
-    var phi_1725_: bool;
-    var phi_1726_: bool;
-    var phi_1733_: type_42;
-    var phi_1734_: type_42;
-    var phi_1735_: type_42;
-    var phi_986_: type_42;
-    var phi_3462_: bool;
-    var phi_3580_: bool;
-    var phi_3085_: type_42;
-    var phi_3086_: type_53;
-    var phi_3087_: bool;
-    var phi_3088_: u32;
-    var phi_3579_: bool;
-    var phi_3089_: type_42;
-    var phi_3090_: type_53;
-    var phi_3091_: u32;
-    var phi_3092_: bool;
-    var phi_3093_: u32;
-    var phi_3578_: bool;
-    var phi_3094_: type_42;
-    var phi_3095_: type_53;
-    var phi_3096_: u32;
-    var phi_3097_: bool;
-    var phi_3098_: u32;
-    var phi_3577_: bool;
-    var phi_860_: type_42;
-    var phi_863_: type_53;
-    var phi_865_: u32;
-    var phi_867_: bool;
-    var phi_869_: u32;
-    var phi_3099_: bool;
-    var phi_3576_: bool;
+    var phi_1720_: bool;
+    var phi_1721_: bool;
+    var phi_1728_: type_42;
+    var phi_1729_: type_42;
+    var phi_1730_: type_42;
+    var phi_981_: type_42;
+    var phi_3315_: bool;
+    var phi_3433_: bool;
+    var phi_2938_: type_42;
+    var phi_2939_: type_53;
+    var phi_2940_: bool;
+    var phi_2941_: u32;
+    var phi_3432_: bool;
+    var phi_2942_: type_42;
+    var phi_2943_: type_53;
+    var phi_2944_: u32;
+    var phi_2945_: bool;
+    var phi_2946_: u32;
+    var phi_3431_: bool;
+    var phi_2947_: type_42;
+    var phi_2948_: type_53;
+    var phi_2949_: u32;
+    var phi_2950_: bool;
+    var phi_2951_: u32;
+    var phi_3430_: bool;
+    var phi_855_: type_42;
+    var phi_858_: type_53;
+    var phi_860_: u32;
+    var phi_862_: bool;
+    var phi_864_: u32;
+    var phi_2952_: bool;
+    var phi_3429_: bool;
     var local_10: type_42;
-    var phi_3151_: type_22;
+    var phi_3004_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
@@ -278,188 +278,188 @@ fn function_() {
                         if _e227 {
                             let _e230 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
                             if (_e230 >= 8388608u) {
-                                phi_391_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
+                                phi_387_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_391_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
+                                phi_387_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
                             }
-                            let _e244 = phi_391_;
-                            phi_392_ = _e244;
+                            let _e244 = phi_387_;
+                            phi_388_ = _e244;
                         } else {
-                            phi_392_ = 0i;
+                            phi_388_ = 0i;
                         }
-                        let _e246 = phi_392_;
+                        let _e246 = phi_388_;
                         let _e247 = (_e156 == _e200);
                         if _e247 {
-                            phi_402_ = true;
+                            phi_398_ = true;
                         } else {
-                            phi_402_ = (_e164 == _e200);
+                            phi_398_ = (_e164 == _e200);
                         }
-                        let _e250 = phi_402_;
+                        let _e250 = phi_398_;
                         let _e251 = select(1u, 0u, _e247);
                         if _e250 {
                             let _e252 = (_e251 + 1u);
-                            phi_412_ = _e252;
-                            phi_413_ = _e252;
-                            phi_415_ = select(true, false, (_e252 == 2u));
+                            phi_408_ = _e252;
+                            phi_409_ = _e252;
+                            phi_411_ = select(true, false, (_e252 == 2u));
                         } else {
-                            phi_412_ = u32();
-                            phi_413_ = 0u;
-                            phi_415_ = true;
+                            phi_408_ = u32();
+                            phi_409_ = 0u;
+                            phi_411_ = true;
                         }
-                        let _e256 = phi_412_;
-                        let _e258 = phi_413_;
-                        let _e260 = phi_415_;
+                        let _e256 = phi_408_;
+                        let _e258 = phi_409_;
+                        let _e260 = phi_411_;
                         if _e260 {
-                            phi_420_ = (_e258 + 1u);
+                            phi_416_ = (_e258 + 1u);
                         } else {
-                            phi_420_ = 0u;
+                            phi_416_ = 0u;
                         }
-                        let _e264 = phi_420_;
+                        let _e264 = phi_416_;
                         let _e265 = select(_e256, _e258, _e260);
                         let _e266 = select(_e251, select(2u, _e251, _e250), _e260);
                         let _e267 = -(_e246);
                         if (_e267 < -126i) {
-                            phi_453_ = -126i;
+                            phi_448_ = -126i;
                         } else {
-                            phi_453_ = select(_e267, 127i, (_e267 > 127i));
+                            phi_448_ = select(_e267, 127i, (_e267 > 127i));
                         }
-                        let _e272 = phi_453_;
+                        let _e272 = phi_448_;
                         let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
                         let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
                         let _e288 = global_4.member[_e127].member.member;
                         let _e289 = (_e265 == 0u);
                         if _e289 {
-                            phi_471_ = _e288[0];
+                            phi_466_ = _e288[0];
                         } else {
-                            phi_471_ = _e288[1];
+                            phi_466_ = _e288[1];
                         }
-                        let _e293 = phi_471_;
+                        let _e293 = phi_466_;
                         let _e294 = (_e265 == 2u);
                         if _e294 {
-                            phi_477_ = _e288[2];
+                            phi_472_ = _e288[2];
                         } else {
-                            phi_477_ = _e293;
+                            phi_472_ = _e293;
                         }
-                        let _e297 = phi_477_;
+                        let _e297 = phi_472_;
                         let _e298 = global_4.member[_e127].member.member_2;
                         if _e289 {
-                            phi_488_ = _e298[0];
+                            phi_483_ = _e298[0];
                         } else {
-                            phi_488_ = _e298[1];
+                            phi_483_ = _e298[1];
                         }
-                        let _e302 = phi_488_;
+                        let _e302 = phi_483_;
                         if _e294 {
-                            phi_494_ = _e298[2];
+                            phi_489_ = _e298[2];
                         } else {
-                            phi_494_ = _e302;
+                            phi_489_ = _e302;
                         }
-                        let _e305 = phi_494_;
+                        let _e305 = phi_489_;
                         let _e307 = ((_e305 * _e277) * _e283);
                         let _e311 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e311 {
                             let _e315 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) * 0.00000011920929f);
-                            phi_517_ = select(0.00000000000011368684f, _e315, (_e315 > 0.00000000000011368684f));
+                            phi_512_ = select(0.00000000000011368684f, _e315, (_e315 > 0.00000000000011368684f));
                         } else {
-                            phi_517_ = 0f;
+                            phi_512_ = 0f;
                         }
-                        let _e319 = phi_517_;
+                        let _e319 = phi_512_;
                         let _e320 = (_e297 + _e319);
                         let _e321 = (_e297 - _e319);
                         let _e322 = select(_e307, 0f, _e311);
                         if _e311 {
-                            phi_528_ = 38685626000000000000000000f;
+                            phi_523_ = 38685626000000000000000000f;
                         } else {
-                            phi_528_ = (1f / _e307);
+                            phi_523_ = (1f / _e307);
                         }
-                        let _e325 = phi_528_;
+                        let _e325 = phi_523_;
                         let _e326 = (_e264 == 0u);
                         if _e326 {
-                            phi_537_ = _e288[0];
+                            phi_532_ = _e288[0];
                         } else {
-                            phi_537_ = _e288[1];
+                            phi_532_ = _e288[1];
                         }
-                        let _e330 = phi_537_;
+                        let _e330 = phi_532_;
                         let _e331 = (_e264 == 2u);
                         if _e331 {
-                            phi_543_ = _e288[2];
+                            phi_538_ = _e288[2];
                         } else {
-                            phi_543_ = _e330;
+                            phi_538_ = _e330;
                         }
-                        let _e334 = phi_543_;
+                        let _e334 = phi_538_;
                         if _e326 {
-                            phi_554_ = _e298[0];
+                            phi_549_ = _e298[0];
                         } else {
-                            phi_554_ = _e298[1];
+                            phi_549_ = _e298[1];
                         }
-                        let _e338 = phi_554_;
+                        let _e338 = phi_549_;
                         if _e331 {
-                            phi_560_ = _e298[2];
+                            phi_555_ = _e298[2];
                         } else {
-                            phi_560_ = _e338;
+                            phi_555_ = _e338;
                         }
-                        let _e341 = phi_560_;
+                        let _e341 = phi_555_;
                         let _e343 = ((_e341 * _e277) * _e283);
                         let _e347 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e347 {
                             let _e351 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
-                            phi_583_ = select(0.00000000000011368684f, _e351, (_e351 > 0.00000000000011368684f));
+                            phi_578_ = select(0.00000000000011368684f, _e351, (_e351 > 0.00000000000011368684f));
                         } else {
-                            phi_583_ = 0f;
+                            phi_578_ = 0f;
                         }
-                        let _e355 = phi_583_;
+                        let _e355 = phi_578_;
                         let _e356 = (_e334 + _e355);
                         let _e357 = (_e334 - _e355);
                         let _e358 = select(_e343, 0f, _e347);
                         if _e347 {
-                            phi_594_ = 38685626000000000000000000f;
+                            phi_589_ = 38685626000000000000000000f;
                         } else {
-                            phi_594_ = (1f / _e343);
+                            phi_589_ = (1f / _e343);
                         }
-                        let _e361 = phi_594_;
+                        let _e361 = phi_589_;
                         let _e362 = (_e266 == 0u);
                         if _e362 {
-                            phi_603_ = _e288[0];
+                            phi_598_ = _e288[0];
                         } else {
-                            phi_603_ = _e288[1];
+                            phi_598_ = _e288[1];
                         }
-                        let _e366 = phi_603_;
+                        let _e366 = phi_598_;
                         let _e367 = (_e266 == 2u);
                         if _e367 {
-                            phi_609_ = _e288[2];
+                            phi_604_ = _e288[2];
                         } else {
-                            phi_609_ = _e366;
+                            phi_604_ = _e366;
                         }
-                        let _e370 = phi_609_;
+                        let _e370 = phi_604_;
                         if _e362 {
-                            phi_620_ = _e298[0];
+                            phi_615_ = _e298[0];
                         } else {
-                            phi_620_ = _e298[1];
+                            phi_615_ = _e298[1];
                         }
-                        let _e374 = phi_620_;
+                        let _e374 = phi_615_;
                         if _e367 {
-                            phi_626_ = _e298[2];
+                            phi_621_ = _e298[2];
                         } else {
-                            phi_626_ = _e374;
+                            phi_621_ = _e374;
                         }
-                        let _e377 = phi_626_;
+                        let _e377 = phi_621_;
                         let _e379 = ((_e377 * _e277) * _e283);
                         let _e383 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) < 0.00000000000000000086736174f);
                         if _e383 {
                             let _e387 = (bitcast<f32>((bitcast<u32>(_e370) & 2147483647u)) * 0.00000011920929f);
-                            phi_649_ = select(0.00000000000011368684f, _e387, (_e387 > 0.00000000000011368684f));
+                            phi_644_ = select(0.00000000000011368684f, _e387, (_e387 > 0.00000000000011368684f));
                         } else {
-                            phi_649_ = 0f;
+                            phi_644_ = 0f;
                         }
-                        let _e391 = phi_649_;
+                        let _e391 = phi_644_;
                         let _e392 = (_e370 + _e391);
                         let _e393 = (_e370 - _e391);
                         let _e394 = select(_e379, 0f, _e383);
                         if _e383 {
-                            phi_660_ = 38685626000000000000000000f;
+                            phi_655_ = 38685626000000000000000000f;
                         } else {
-                            phi_660_ = (1f / _e379);
+                            phi_655_ = (1f / _e379);
                         }
-                        let _e397 = phi_660_;
+                        let _e397 = phi_655_;
                         let _e400 = bitcast<f32>((bitcast<u32>(_e297) & 2147483647u));
                         let _e403 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
                         let _e405 = select(_e403, _e400, (_e400 > _e403));
@@ -472,14 +472,14 @@ fn function_() {
                             let _e430 = select(340282350000000000000000000000000000000f, _e428, (_e428 < 340282350000000000000000000000000000000f));
                             let _e435 = (((_e221 * _e420) * _e420) * _e427);
                             let _e437 = select(340282350000000000000000000000000000000f, _e435, (_e435 < 340282350000000000000000000000000000000f));
-                            phi_760_ = select(-340282350000000000000000000000000000000f, _e437, (_e437 > -340282350000000000000000000000000000000f));
-                            phi_761_ = select(-340282350000000000000000000000000000000f, _e430, (_e430 > -340282350000000000000000000000000000000f));
+                            phi_755_ = select(-340282350000000000000000000000000000000f, _e437, (_e437 > -340282350000000000000000000000000000000f));
+                            phi_756_ = select(-340282350000000000000000000000000000000f, _e430, (_e430 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_760_ = 0f;
-                            phi_761_ = 1f;
+                            phi_755_ = 0f;
+                            phi_756_ = 1f;
                         }
-                        let _e441 = phi_760_;
-                        let _e443 = phi_761_;
+                        let _e441 = phi_755_;
+                        let _e443 = phi_756_;
                         if _e142 {
                         } else {
                             break;
@@ -529,857 +529,860 @@ fn function_() {
                             break;
                         }
                         let _e480 = local[_e464];
-                        phi_3468_ = false;
-                        phi_859_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e441), 0u, 0u);
-                        phi_862_ = type_53(type_34(vec4<f32>((f32(_e455) * _e139), (f32(_e461) * _e139), (f32(_e467) * _e139), 0f), vec4<f32>((f32(_e472) * _e139), (f32(_e476) * _e139), (f32(_e480) * _e139), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
-                        phi_864_ = ((3u * _e85) + 1u);
-                        phi_866_ = (_e443 <= _e441);
-                        phi_868_ = 0u;
+                        phi_3321_ = false;
+                        phi_854_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e441), 0u, 0u);
+                        phi_857_ = type_53(type_34(vec4<f32>((f32(_e455) * _e139), (f32(_e461) * _e139), (f32(_e467) * _e139), 0f), vec4<f32>((f32(_e472) * _e139), (f32(_e476) * _e139), (f32(_e480) * _e139), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
+                        phi_859_ = ((3u * _e85) + 1u);
+                        phi_861_ = (_e443 <= _e441);
+                        phi_863_ = 0u;
                         loop {
-                            let _e490 = phi_3468_;
-                            let _e492 = phi_859_;
-                            let _e494 = phi_862_;
-                            let _e496 = phi_864_;
-                            let _e498 = phi_866_;
-                            let _e500 = phi_868_;
+                            let _e490 = phi_3321_;
+                            let _e492 = phi_854_;
+                            let _e494 = phi_857_;
+                            let _e496 = phi_859_;
+                            let _e498 = phi_861_;
+                            let _e500 = phi_863_;
                             local_10 = _e492;
                             local_11 = _e492;
                             if _e498 {
-                                phi_879_ = true;
+                                phi_874_ = true;
                             } else {
-                                phi_879_ = (_e500 > 0u);
+                                phi_874_ = (_e500 > 0u);
                             }
-                            let _e503 = phi_879_;
+                            let _e503 = phi_874_;
                             if _e503 {
                                 let _e504 = (_e496 > 0u);
                                 if _e504 {
                                     if _e498 {
-                                        phi_965_ = _e494;
-                                        phi_966_ = _e498;
-                                        phi_967_ = _e500;
+                                        phi_960_ = _e494;
+                                        phi_961_ = _e498;
+                                        phi_962_ = _e500;
                                     } else {
                                         let _e505 = (_e500 - 1u);
                                         let _e506 = (_e505 % 128u);
                                         let _e507 = (_e506 < 128u);
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e509 = local_7[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e511 = local_6[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e513 = local_5[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e515 = local_4[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e517 = local_3[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e519 = local_2[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e524 = local_8[_e506];
                                         if _e507 {
                                         } else {
-                                            phi_3576_ = true;
+                                            phi_3429_ = true;
                                             break;
                                         }
                                         let _e527 = local_9[_e506];
-                                        phi_965_ = type_53(type_34(vec4<f32>(_e509, _e511, _e513, 0f), vec4<f32>(_e515, _e517, _e519, 0f)), _e524);
-                                        phi_966_ = (_e527 <= _e492.member.member_1);
-                                        phi_967_ = _e505;
+                                        phi_960_ = type_53(type_34(vec4<f32>(_e509, _e511, _e513, 0f), vec4<f32>(_e515, _e517, _e519, 0f)), _e524);
+                                        phi_961_ = (_e527 <= _e492.member.member_1);
+                                        phi_962_ = _e505;
                                     }
-                                    let _e532 = phi_965_;
-                                    let _e534 = phi_966_;
-                                    let _e536 = phi_967_;
+                                    let _e532 = phi_960_;
+                                    let _e534 = phi_961_;
+                                    let _e536 = phi_962_;
                                     if _e534 {
                                         if ((_e532.member_1 & 2147483648u) != 0u) {
-                                            phi_985_ = _e492;
-                                            phi_988_ = type_7(0u, ((_e532.member_1 >> bitcast<u32>(28u)) & 7u));
+                                            phi_980_ = _e492;
+                                            phi_983_ = type_7(0u, ((_e532.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1008 = phi_985_;
-                                                let _e1010 = phi_988_;
-                                                local_12 = _e1008;
-                                                if (_e1010.member < _e1010.member_1) {
-                                                    phi_989_ = type_7((_e1010.member + 1u), _e1010.member_1);
-                                                    phi_1011_ = type_7(1u, _e1010.member);
+                                                let _e1005 = phi_980_;
+                                                let _e1007 = phi_983_;
+                                                local_12 = _e1005;
+                                                if (_e1007.member < _e1007.member_1) {
+                                                    phi_984_ = type_7((_e1007.member + 1u), _e1007.member_1);
+                                                    phi_1006_ = type_7(1u, _e1007.member);
                                                 } else {
-                                                    phi_989_ = _e1010;
-                                                    phi_1011_ = type_7(0u, type_7().member_1);
+                                                    phi_984_ = _e1007;
+                                                    phi_1006_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1023 = phi_989_;
-                                                let _e1025 = phi_1011_;
-                                                let _e1029 = (bitcast<i32>(_e1025.member) != 0i);
-                                                if _e1029 {
-                                                    let _e1035 = type_42(_e1008.member, _e1008.member_1, (_e1008.member_2 + 1u));
-                                                    let _e1036 = ((_e532.member_1 & 268435455u) + _e1025.member_1);
-                                                    let _e1037 = (_e1036 < _e87);
-                                                    if _e1037 {
-                                                        if _e1037 {
+                                                let _e1020 = phi_984_;
+                                                let _e1022 = phi_1006_;
+                                                let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
+                                                if _e1026 {
+                                                    let _e1032 = type_42(_e1005.member, _e1005.member_1, (_e1005.member_2 + 1u));
+                                                    let _e1033 = ((_e532.member_1 & 268435455u) + _e1022.member_1);
+                                                    let _e1034 = (_e1033 < _e87);
+                                                    if _e1034 {
+                                                        if _e1034 {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1041 = global_1.member[_e1036].member_1;
-                                                        phi_1035_ = _e1041;
+                                                        let _e1038 = global_1.member[_e1033].member_1;
+                                                        phi_1030_ = _e1038;
                                                     } else {
-                                                        phi_1035_ = 4294967295u;
+                                                        phi_1030_ = 4294967295u;
                                                     }
-                                                    let _e1043 = phi_1035_;
-                                                    if (_e1036 >= _e87) {
-                                                        phi_1124_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1040 = phi_1030_;
+                                                    if (_e1033 >= _e87) {
+                                                        phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1037 {
+                                                        if _e1034 {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
                                                         if (_e452 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1050 = global_1.member[_e1036].member[_e452];
+                                                        let _e1047 = global_1.member[_e1033].member[_e452];
                                                         if (_e458 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1056 = global_1.member[_e1036].member[_e458];
+                                                        let _e1053 = global_1.member[_e1033].member[_e458];
                                                         if (_e464 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1062 = global_1.member[_e1036].member[_e464];
-                                                        let _e1064 = (3u + _e452);
-                                                        if (_e1064 < 9u) {
+                                                        let _e1059 = global_1.member[_e1033].member[_e464];
+                                                        let _e1061 = (3u + _e452);
+                                                        if (_e1061 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1070 = global_1.member[_e1036].member[_e1064];
-                                                        let _e1071 = (3u + _e458);
-                                                        if (_e1071 < 9u) {
+                                                        let _e1067 = global_1.member[_e1033].member[_e1061];
+                                                        let _e1068 = (3u + _e458);
+                                                        if (_e1068 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1077 = global_1.member[_e1036].member[_e1071];
-                                                        let _e1078 = (3u + _e464);
-                                                        if (_e1078 < 9u) {
+                                                        let _e1074 = global_1.member[_e1033].member[_e1068];
+                                                        let _e1075 = (3u + _e464);
+                                                        if (_e1075 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1084 = global_1.member[_e1036].member[_e1078];
-                                                        let _e1086 = (6u + _e452);
-                                                        if (_e1086 < 9u) {
+                                                        let _e1081 = global_1.member[_e1033].member[_e1075];
+                                                        let _e1083 = (6u + _e452);
+                                                        if (_e1083 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1092 = global_1.member[_e1036].member[_e1086];
-                                                        let _e1093 = (6u + _e458);
-                                                        if (_e1093 < 9u) {
+                                                        let _e1089 = global_1.member[_e1033].member[_e1083];
+                                                        let _e1090 = (6u + _e458);
+                                                        if (_e1090 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1099 = global_1.member[_e1036].member[_e1093];
-                                                        let _e1100 = (6u + _e464);
-                                                        if (_e1100 < 9u) {
+                                                        let _e1096 = global_1.member[_e1033].member[_e1090];
+                                                        let _e1097 = (6u + _e464);
+                                                        if (_e1097 < 9u) {
                                                         } else {
-                                                            phi_3462_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e1106 = global_1.member[_e1036].member[_e1100];
-                                                        phi_1124_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1050, _e1056, _e1062), array<f32, 3>(_e1070, _e1077, _e1084), array<f32, 3>(_e1092, _e1099, _e1106));
+                                                        let _e1103 = global_1.member[_e1033].member[_e1097];
+                                                        phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1047, _e1053, _e1059), array<f32, 3>(_e1067, _e1074, _e1081), array<f32, 3>(_e1089, _e1096, _e1103));
                                                     }
-                                                    let _e1110 = phi_1124_;
-                                                    let _e1119 = (_e1110[0][2] - _e370);
-                                                    let _e1122 = (((_e1110[0][0] - _e297) * _e394) - (_e1119 * _e322));
-                                                    let _e1125 = (((_e1110[0][1] - _e334) * _e394) - (_e1119 * _e358));
-                                                    let _e1132 = (_e1110[1][2] - _e370);
-                                                    let _e1135 = (((_e1110[1][0] - _e297) * _e394) - (_e1132 * _e322));
-                                                    let _e1138 = (((_e1110[1][1] - _e334) * _e394) - (_e1132 * _e358));
-                                                    let _e1145 = (_e1110[2][2] - _e370);
-                                                    let _e1148 = (((_e1110[2][0] - _e297) * _e394) - (_e1145 * _e322));
-                                                    let _e1151 = (((_e1110[2][1] - _e334) * _e394) - (_e1145 * _e358));
-                                                    let _e1152 = (_e1148 * _e1138);
-                                                    let _e1153 = (_e1151 * _e1135);
-                                                    let _e1154 = (_e1122 * _e1151);
-                                                    let _e1155 = (_e1125 * _e1148);
-                                                    let _e1156 = (_e1135 * _e1125);
-                                                    let _e1157 = (_e1138 * _e1122);
-                                                    let _e1162 = (((_e1152 >= _e1153) && (_e1154 >= _e1155)) && (_e1156 >= _e1157));
-                                                    if (_e1162 || (((_e1152 <= _e1153) && (_e1154 <= _e1155)) && (_e1156 <= _e1157))) {
-                                                        let _e1169 = select(-1f, 1f, _e1162);
-                                                        let _e1171 = ((_e1152 - _e1153) * _e1169);
-                                                        let _e1173 = select(0f, _e1171, (_e1171 > 0f));
-                                                        let _e1175 = ((_e1154 - _e1155) * _e1169);
-                                                        let _e1177 = select(0f, _e1175, (_e1175 > 0f));
-                                                        let _e1179 = ((_e1156 - _e1157) * _e1169);
-                                                        let _e1181 = select(0f, _e1179, (_e1179 > 0f));
-                                                        let _e1183 = ((_e1173 + _e1177) + _e1181);
-                                                        if (_e1183 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1690_ = type_22();
-                                                            phi_1691_ = true;
+                                                    let _e1107 = phi_1119_;
+                                                    let _e1116 = (_e1107[0][2] - _e370);
+                                                    let _e1119 = (((_e1107[0][0] - _e297) * _e394) - (_e1116 * _e322));
+                                                    let _e1122 = (((_e1107[0][1] - _e334) * _e394) - (_e1116 * _e358));
+                                                    let _e1129 = (_e1107[1][2] - _e370);
+                                                    let _e1132 = (((_e1107[1][0] - _e297) * _e394) - (_e1129 * _e322));
+                                                    let _e1135 = (((_e1107[1][1] - _e334) * _e394) - (_e1129 * _e358));
+                                                    let _e1142 = (_e1107[2][2] - _e370);
+                                                    let _e1145 = (((_e1107[2][0] - _e297) * _e394) - (_e1142 * _e322));
+                                                    let _e1148 = (((_e1107[2][1] - _e334) * _e394) - (_e1142 * _e358));
+                                                    let _e1149 = (_e1145 * _e1135);
+                                                    let _e1150 = (_e1148 * _e1132);
+                                                    let _e1151 = (_e1119 * _e1148);
+                                                    let _e1152 = (_e1122 * _e1145);
+                                                    let _e1153 = (_e1132 * _e1122);
+                                                    let _e1154 = (_e1135 * _e1119);
+                                                    let _e1159 = (((_e1149 >= _e1150) && (_e1151 >= _e1152)) && (_e1153 >= _e1154));
+                                                    if (_e1159 || (((_e1149 <= _e1150) && (_e1151 <= _e1152)) && (_e1153 <= _e1154))) {
+                                                        let _e1166 = select(-1f, 1f, _e1159);
+                                                        let _e1168 = ((_e1149 - _e1150) * _e1166);
+                                                        let _e1170 = select(0f, _e1168, (_e1168 > 0f));
+                                                        let _e1172 = ((_e1151 - _e1152) * _e1166);
+                                                        let _e1174 = select(0f, _e1172, (_e1172 > 0f));
+                                                        let _e1176 = ((_e1153 - _e1154) * _e1166);
+                                                        let _e1178 = select(0f, _e1176, (_e1176 > 0f));
+                                                        let _e1180 = ((_e1170 + _e1174) + _e1178);
+                                                        if (_e1180 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1685_ = type_22();
+                                                            phi_1686_ = true;
                                                         } else {
-                                                            let _e1186 = select(_e1110[1][0], _e1110[0][0], (_e1110[0][0] < _e1110[1][0]));
-                                                            let _e1190 = select(_e1110[1][0], _e1110[0][0], (_e1110[0][0] > _e1110[1][0]));
-                                                            let _e1194 = select(_e1110[1][1], _e1110[0][1], (_e1110[0][1] < _e1110[1][1]));
-                                                            let _e1198 = select(_e1110[1][1], _e1110[0][1], (_e1110[0][1] > _e1110[1][1]));
-                                                            let _e1202 = select(_e1110[1][2], _e1110[0][2], (_e1110[0][2] < _e1110[1][2]));
-                                                            let _e1206 = select(_e1110[1][2], _e1110[0][2], (_e1110[0][2] > _e1110[1][2]));
-                                                            let _e1211 = ((select(_e1110[2][0], _e1186, (_e1186 < _e1110[2][0])) - _e320) * _e325);
-                                                            let _e1212 = ((select(_e1110[2][0], _e1190, (_e1190 > _e1110[2][0])) - _e321) * _e325);
-                                                            let _e1215 = ((select(_e1110[2][1], _e1194, (_e1194 < _e1110[2][1])) - _e356) * _e361);
-                                                            let _e1216 = ((select(_e1110[2][1], _e1198, (_e1198 > _e1110[2][1])) - _e357) * _e361);
-                                                            let _e1219 = ((select(_e1110[2][2], _e1202, (_e1202 < _e1110[2][2])) - _e392) * _e397);
-                                                            let _e1220 = ((select(_e1110[2][2], _e1206, (_e1206 > _e1110[2][2])) - _e393) * _e397);
-                                                            let _e1222 = select(_e1220, _e1219, (_e1219 < _e1220));
-                                                            let _e1224 = select(_e1220, _e1219, (_e1219 > _e1220));
-                                                            let _e1226 = select(_e1212, _e1211, (_e1211 < _e1212));
-                                                            let _e1228 = select(_e1216, _e1215, (_e1215 < _e1216));
-                                                            let _e1230 = select(_e1228, _e1226, (_e1226 > _e1228));
-                                                            let _e1232 = select(_e1222, _e1230, (_e1230 > _e1222));
-                                                            let _e1234 = select(_e1212, _e1211, (_e1211 > _e1212));
-                                                            let _e1236 = select(_e1216, _e1215, (_e1215 > _e1216));
-                                                            let _e1238 = select(_e1236, _e1234, (_e1234 < _e1236));
-                                                            let _e1240 = select(_e1224, _e1238, (_e1238 < _e1224));
-                                                            let _e1241 = -(_e1222);
-                                                            let _e1247 = select(_e443, _e1232, (_e1232 > _e443));
-                                                            if (_e1247 > (_e1240 + (select(_e1241, _e1224, (_e1224 > _e1241)) * 0.0000019073523f))) {
-                                                                phi_1685_ = type_22();
-                                                                phi_1686_ = true;
+                                                            let _e1183 = select(_e1107[1][0], _e1107[0][0], (_e1107[0][0] < _e1107[1][0]));
+                                                            let _e1187 = select(_e1107[1][0], _e1107[0][0], (_e1107[0][0] > _e1107[1][0]));
+                                                            let _e1191 = select(_e1107[1][1], _e1107[0][1], (_e1107[0][1] < _e1107[1][1]));
+                                                            let _e1195 = select(_e1107[1][1], _e1107[0][1], (_e1107[0][1] > _e1107[1][1]));
+                                                            let _e1199 = select(_e1107[1][2], _e1107[0][2], (_e1107[0][2] < _e1107[1][2]));
+                                                            let _e1203 = select(_e1107[1][2], _e1107[0][2], (_e1107[0][2] > _e1107[1][2]));
+                                                            let _e1208 = ((select(_e1107[2][0], _e1183, (_e1183 < _e1107[2][0])) - _e320) * _e325);
+                                                            let _e1209 = ((select(_e1107[2][0], _e1187, (_e1187 > _e1107[2][0])) - _e321) * _e325);
+                                                            let _e1212 = ((select(_e1107[2][1], _e1191, (_e1191 < _e1107[2][1])) - _e356) * _e361);
+                                                            let _e1213 = ((select(_e1107[2][1], _e1195, (_e1195 > _e1107[2][1])) - _e357) * _e361);
+                                                            let _e1216 = ((select(_e1107[2][2], _e1199, (_e1199 < _e1107[2][2])) - _e392) * _e397);
+                                                            let _e1217 = ((select(_e1107[2][2], _e1203, (_e1203 > _e1107[2][2])) - _e393) * _e397);
+                                                            let _e1219 = select(_e1217, _e1216, (_e1216 < _e1217));
+                                                            let _e1221 = select(_e1217, _e1216, (_e1216 > _e1217));
+                                                            let _e1223 = select(_e1209, _e1208, (_e1208 < _e1209));
+                                                            let _e1225 = select(_e1213, _e1212, (_e1212 < _e1213));
+                                                            let _e1227 = select(_e1225, _e1223, (_e1223 > _e1225));
+                                                            let _e1229 = select(_e1219, _e1227, (_e1227 > _e1219));
+                                                            let _e1231 = select(_e1209, _e1208, (_e1208 > _e1209));
+                                                            let _e1233 = select(_e1213, _e1212, (_e1212 > _e1213));
+                                                            let _e1235 = select(_e1233, _e1231, (_e1231 < _e1233));
+                                                            let _e1237 = select(_e1221, _e1235, (_e1235 < _e1221));
+                                                            let _e1238 = -(_e1219);
+                                                            let _e1244 = select(_e443, _e1229, (_e1229 > _e443));
+                                                            if (_e1244 > (_e1237 + (select(_e1238, _e1221, (_e1221 > _e1238)) * 0.0000019073523f))) {
+                                                                phi_1680_ = type_22();
+                                                                phi_1681_ = true;
                                                             } else {
-                                                                let _e1249 = (_e1247 > _e1008.member.member_1);
-                                                                if _e1249 {
-                                                                    phi_1684_ = type_22();
+                                                                let _e1246 = (_e1244 > _e1005.member.member_1);
+                                                                if _e1246 {
+                                                                    phi_1679_ = type_22();
                                                                 } else {
-                                                                    let _e1253 = (_e1110[1][0] - _e1110[0][0]);
-                                                                    let _e1254 = (_e1110[1][1] - _e1110[0][1]);
-                                                                    let _e1255 = (_e1110[1][2] - _e1110[0][2]);
-                                                                    let _e1256 = vec3<f32>(_e1253, _e1254, _e1255);
-                                                                    let _e1257 = (_e1110[2][0] - _e1110[1][0]);
-                                                                    let _e1258 = (_e1110[2][1] - _e1110[1][1]);
-                                                                    let _e1259 = (_e1110[2][2] - _e1110[1][2]);
-                                                                    let _e1260 = vec3<f32>(_e1257, _e1258, _e1259);
-                                                                    let _e1261 = (_e1110[0][0] - _e1110[2][0]);
-                                                                    let _e1262 = (_e1110[0][1] - _e1110[2][1]);
-                                                                    let _e1263 = (_e1110[0][2] - _e1110[2][2]);
-                                                                    let _e1264 = vec3<f32>(_e1261, _e1262, _e1263);
-                                                                    let _e1267 = bitcast<f32>((bitcast<u32>(_e1253) & 2147483647u));
-                                                                    let _e1270 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                    let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
-                                                                    let _e1275 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
-                                                                    let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
-                                                                    let _e1280 = bitcast<f32>((bitcast<u32>(_e1257) & 2147483647u));
-                                                                    let _e1283 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                    let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                    let _e1288 = bitcast<f32>((bitcast<u32>(_e1259) & 2147483647u));
-                                                                    let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                    let _e1293 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
-                                                                    let _e1296 = bitcast<f32>((bitcast<u32>(_e1262) & 2147483647u));
-                                                                    let _e1298 = select(_e1296, _e1293, (_e1293 > _e1296));
-                                                                    let _e1301 = bitcast<f32>((bitcast<u32>(_e1263) & 2147483647u));
-                                                                    let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
-                                                                    let _e1305 = select(_e1290, _e1277, (_e1277 > _e1290));
-                                                                    let _e1307 = select(_e1303, _e1305, (_e1305 > _e1303));
-                                                                    if (_e1277 == _e1307) {
-                                                                        phi_1595_ = _e1260;
-                                                                        phi_1596_ = _e1264;
+                                                                    let _e1250 = (_e1107[1][0] - _e1107[0][0]);
+                                                                    let _e1251 = (_e1107[1][1] - _e1107[0][1]);
+                                                                    let _e1252 = (_e1107[1][2] - _e1107[0][2]);
+                                                                    let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
+                                                                    let _e1254 = (_e1107[2][0] - _e1107[1][0]);
+                                                                    let _e1255 = (_e1107[2][1] - _e1107[1][1]);
+                                                                    let _e1256 = (_e1107[2][2] - _e1107[1][2]);
+                                                                    let _e1257 = vec3<f32>(_e1254, _e1255, _e1256);
+                                                                    let _e1258 = (_e1107[0][0] - _e1107[2][0]);
+                                                                    let _e1259 = (_e1107[0][1] - _e1107[2][1]);
+                                                                    let _e1260 = (_e1107[0][2] - _e1107[2][2]);
+                                                                    let _e1261 = vec3<f32>(_e1258, _e1259, _e1260);
+                                                                    let _e1264 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
+                                                                    let _e1267 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
+                                                                    let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
+                                                                    let _e1272 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
+                                                                    let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
+                                                                    let _e1277 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
+                                                                    let _e1280 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
+                                                                    let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
+                                                                    let _e1285 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
+                                                                    let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
+                                                                    let _e1290 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
+                                                                    let _e1293 = bitcast<f32>((bitcast<u32>(_e1259) & 2147483647u));
+                                                                    let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
+                                                                    let _e1298 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
+                                                                    let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
+                                                                    let _e1302 = select(_e1287, _e1274, (_e1274 > _e1287));
+                                                                    let _e1304 = select(_e1300, _e1302, (_e1302 > _e1300));
+                                                                    if (_e1274 == _e1304) {
+                                                                        phi_1590_ = _e1257;
+                                                                        phi_1591_ = _e1261;
                                                                     } else {
-                                                                        let _e1310 = vec3((_e1290 == _e1307));
-                                                                        phi_1595_ = select(_e1256, _e1264, _e1310);
-                                                                        phi_1596_ = select(_e1260, _e1256, _e1310);
+                                                                        let _e1307 = vec3((_e1287 == _e1304));
+                                                                        phi_1590_ = select(_e1253, _e1261, _e1307);
+                                                                        phi_1591_ = select(_e1257, _e1253, _e1307);
                                                                     }
-                                                                    let _e1314 = phi_1595_;
-                                                                    let _e1316 = phi_1596_;
-                                                                    let _e1323 = ((_e1314.y * _e1316.z) - (_e1316.y * _e1314.z));
-                                                                    let _e1328 = ((_e1314.z * _e1316.x) - (_e1316.z * _e1314.x));
-                                                                    let _e1331 = ((_e1314.x * _e1316.y) - (_e1316.x * _e1314.y));
-                                                                    if (_e1173 >= _e1177) {
-                                                                        phi_1627_ = select(true, false, (_e1173 >= _e1181));
+                                                                    let _e1311 = phi_1590_;
+                                                                    let _e1313 = phi_1591_;
+                                                                    let _e1320 = ((_e1311.y * _e1313.z) - (_e1313.y * _e1311.z));
+                                                                    let _e1325 = ((_e1311.z * _e1313.x) - (_e1313.z * _e1311.x));
+                                                                    let _e1328 = ((_e1311.x * _e1313.y) - (_e1313.x * _e1311.y));
+                                                                    if (_e1170 >= _e1174) {
+                                                                        phi_1622_ = select(true, false, (_e1170 >= _e1178));
                                                                     } else {
-                                                                        phi_1627_ = true;
+                                                                        phi_1622_ = true;
                                                                     }
-                                                                    let _e1336 = phi_1627_;
-                                                                    if _e1336 {
-                                                                        phi_1636_ = select(vec3<f32>(_e1110[2][0], _e1110[2][1], _e1110[2][2]), vec3<f32>(_e1110[1][0], _e1110[1][1], _e1110[1][2]), vec3((_e1177 >= _e1181)));
+                                                                    let _e1333 = phi_1622_;
+                                                                    if _e1333 {
+                                                                        phi_1631_ = select(vec3<f32>(_e1107[2][0], _e1107[2][1], _e1107[2][2]), vec3<f32>(_e1107[1][0], _e1107[1][1], _e1107[1][2]), vec3((_e1174 >= _e1178)));
                                                                     } else {
-                                                                        phi_1636_ = vec3<f32>(_e1110[0][0], _e1110[0][1], _e1110[0][2]);
+                                                                        phi_1631_ = vec3<f32>(_e1107[0][0], _e1107[0][1], _e1107[0][2]);
                                                                     }
-                                                                    let _e1341 = phi_1636_;
-                                                                    let _e1358 = ((((_e1323 * (_e1341.x - _e297)) + (_e1328 * (_e1341.y - _e334))) + (_e1331 * (_e1341.z - _e370))) / (((_e1323 * _e322) + (_e1328 * _e358)) + (_e1331 * _e394)));
-                                                                    let _e1360 = select(_e1240, _e1358, (_e1358 < _e1240));
-                                                                    let _e1362 = select(_e1232, _e1360, (_e1360 > _e1232));
-                                                                    if (_e1362 >= _e443) {
-                                                                        let _e1364 = (_e1362 <= _e1008.member.member_1);
-                                                                        if _e1364 {
-                                                                            let _e1365 = (1f / _e1183);
-                                                                            phi_1676_ = type_22(_e1362, (_e1177 * _e1365), (_e1181 * _e1365), _e1043);
+                                                                    let _e1338 = phi_1631_;
+                                                                    let _e1355 = ((((_e1320 * (_e1338.x - _e297)) + (_e1325 * (_e1338.y - _e334))) + (_e1328 * (_e1338.z - _e370))) / (((_e1320 * _e322) + (_e1325 * _e358)) + (_e1328 * _e394)));
+                                                                    let _e1357 = select(_e1237, _e1355, (_e1355 < _e1237));
+                                                                    let _e1359 = select(_e1229, _e1357, (_e1357 > _e1229));
+                                                                    if (_e1359 >= _e443) {
+                                                                        let _e1361 = (_e1359 <= _e1005.member.member_1);
+                                                                        if _e1361 {
+                                                                            let _e1362 = (1f / _e1180);
+                                                                            phi_1671_ = type_22(_e1359, (_e1174 * _e1362), (_e1178 * _e1362), _e1040);
                                                                         } else {
-                                                                            phi_1676_ = type_22();
+                                                                            phi_1671_ = type_22();
                                                                         }
-                                                                        let _e1370 = phi_1676_;
+                                                                        let _e1367 = phi_1671_;
+                                                                        phi_1673_ = _e1367;
+                                                                        phi_1674_ = select(true, false, _e1361);
+                                                                    } else {
+                                                                        phi_1673_ = type_22();
+                                                                        phi_1674_ = true;
+                                                                    }
+                                                                    let _e1370 = phi_1673_;
+                                                                    let _e1372 = phi_1674_;
+                                                                    if _e1372 {
+                                                                        phi_1678_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    } else {
                                                                         phi_1678_ = _e1370;
-                                                                        phi_1679_ = select(true, false, _e1364);
-                                                                    } else {
-                                                                        phi_1678_ = type_22();
-                                                                        phi_1679_ = true;
                                                                     }
-                                                                    let _e1373 = phi_1678_;
-                                                                    let _e1375 = phi_1679_;
-                                                                    if _e1375 {
-                                                                        phi_1683_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1683_ = _e1373;
-                                                                    }
-                                                                    let _e1377 = phi_1683_;
-                                                                    phi_1684_ = _e1377;
+                                                                    let _e1374 = phi_1678_;
+                                                                    phi_1679_ = _e1374;
                                                                 }
-                                                                let _e1379 = phi_1684_;
-                                                                phi_1685_ = _e1379;
-                                                                phi_1686_ = _e1249;
+                                                                let _e1376 = phi_1679_;
+                                                                phi_1680_ = _e1376;
+                                                                phi_1681_ = _e1246;
                                                             }
-                                                            let _e1381 = phi_1685_;
-                                                            let _e1383 = phi_1686_;
-                                                            phi_1690_ = _e1381;
-                                                            phi_1691_ = _e1383;
+                                                            let _e1378 = phi_1680_;
+                                                            let _e1380 = phi_1681_;
+                                                            phi_1685_ = _e1378;
+                                                            phi_1686_ = _e1380;
                                                         }
-                                                        let _e1385 = phi_1690_;
-                                                        let _e1387 = phi_1691_;
-                                                        phi_1695_ = _e1385;
-                                                        phi_1696_ = _e1387;
+                                                        let _e1382 = phi_1685_;
+                                                        let _e1384 = phi_1686_;
+                                                        phi_1690_ = _e1382;
+                                                        phi_1691_ = _e1384;
                                                     } else {
-                                                        phi_1695_ = type_22();
-                                                        phi_1696_ = true;
+                                                        phi_1690_ = type_22();
+                                                        phi_1691_ = true;
                                                     }
-                                                    let _e1389 = phi_1695_;
-                                                    let _e1391 = phi_1696_;
-                                                    if _e1391 {
-                                                        phi_1700_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1386 = phi_1690_;
+                                                    let _e1388 = phi_1691_;
+                                                    if _e1388 {
+                                                        phi_1695_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1700_ = _e1389;
+                                                        phi_1695_ = _e1386;
                                                     }
-                                                    let _e1393 = phi_1700_;
-                                                    if (_e1393.member_3 != 4294967295u) {
-                                                        if (_e1043 != _e449) {
-                                                            if (_e1393.member < _e1008.member.member.member) {
-                                                                phi_1726_ = true;
+                                                    let _e1390 = phi_1695_;
+                                                    if (_e1390.member_3 != 4294967295u) {
+                                                        if (_e1040 != _e449) {
+                                                            if (_e1390.member < _e1005.member.member.member) {
+                                                                phi_1721_ = true;
                                                             } else {
-                                                                if (_e1393.member == _e1008.member.member.member) {
-                                                                    phi_1725_ = (_e1393.member_3 < _e1008.member.member.member_3);
+                                                                if (_e1390.member == _e1005.member.member.member) {
+                                                                    phi_1720_ = (_e1390.member_3 < _e1005.member.member.member_3);
                                                                 } else {
-                                                                    phi_1725_ = false;
+                                                                    phi_1720_ = false;
                                                                 }
-                                                                let _e1408 = phi_1725_;
-                                                                phi_1726_ = _e1408;
+                                                                let _e1405 = phi_1720_;
+                                                                phi_1721_ = _e1405;
                                                             }
-                                                            let _e1410 = phi_1726_;
-                                                            if _e1410 {
-                                                                phi_1733_ = type_42(type_38(_e1393, _e1393.member), _e1035.member_1, _e1035.member_2);
+                                                            let _e1407 = phi_1721_;
+                                                            if _e1407 {
+                                                                phi_1728_ = type_42(type_38(_e1390, _e1390.member), _e1032.member_1, _e1032.member_2);
                                                             } else {
-                                                                phi_1733_ = _e1035;
+                                                                phi_1728_ = _e1032;
                                                             }
-                                                            let _e1417 = phi_1733_;
-                                                            phi_1734_ = _e1417;
+                                                            let _e1414 = phi_1728_;
+                                                            phi_1729_ = _e1414;
                                                         } else {
-                                                            phi_1734_ = _e1035;
+                                                            phi_1729_ = _e1032;
                                                         }
-                                                        let _e1419 = phi_1734_;
-                                                        phi_1735_ = _e1419;
+                                                        let _e1416 = phi_1729_;
+                                                        phi_1730_ = _e1416;
                                                     } else {
-                                                        phi_1735_ = _e1035;
+                                                        phi_1730_ = _e1032;
                                                     }
-                                                    let _e1421 = phi_1735_;
-                                                    phi_986_ = _e1421;
+                                                    let _e1418 = phi_1730_;
+                                                    phi_981_ = _e1418;
                                                 } else {
-                                                    phi_986_ = type_42();
+                                                    phi_981_ = type_42();
                                                 }
-                                                let _e1423 = phi_986_;
+                                                let _e1420 = phi_981_;
                                                 continue;
                                                 continuing {
-                                                    phi_985_ = _e1423;
-                                                    phi_988_ = _e1023;
-                                                    phi_3462_ = _e490;
-                                                    break if !(_e1029);
+                                                    phi_980_ = _e1420;
+                                                    phi_983_ = _e1020;
+                                                    phi_3315_ = _e490;
+                                                    break if !(_e1026);
                                                 }
                                             }
-                                            let _e1426 = phi_3462_;
-                                            phi_3576_ = _e1426;
-                                            if _e1426 {
+                                            let _e1423 = phi_3315_;
+                                            phi_3429_ = _e1423;
+                                            if _e1423 {
                                                 break;
                                             }
-                                            phi_3580_ = _e1426;
-                                            let _e1643 = local_12;
-                                            phi_3085_ = _e1643;
-                                            phi_3086_ = _e532;
-                                            phi_3087_ = false;
-                                            phi_3088_ = _e536;
+                                            phi_3433_ = _e1423;
+                                            let _e1640 = local_12;
+                                            phi_2938_ = _e1640;
+                                            phi_2939_ = _e532;
+                                            phi_2940_ = false;
+                                            phi_2941_ = _e536;
                                         } else {
                                             if (_e532.member_1 >= _e85) {
-                                                phi_2641_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                                phi_2494_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
                                                 if (_e532.member_1 < _e85) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e555 = ((1u + (_e265 * 2u)) % 7u);
+                                                let _e553 = (_e265 * 2u);
+                                                let _e555 = ((1u + _e553) % 7u);
                                                 if (_e555 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
                                                 let _e560 = global_7.member[_e532.member_1][_e555];
-                                                let _e563 = ((1u + (_e264 * 2u)) % 7u);
-                                                if (_e563 < 7u) {
+                                                let _e562 = ((_e553 + 2u) % 7u);
+                                                if (_e562 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e568 = global_7.member[_e532.member_1][_e563];
-                                                let _e571 = ((1u + (_e266 * 2u)) % 7u);
-                                                if (_e571 < 7u) {
+                                                let _e567 = global_7.member[_e532.member_1][_e562];
+                                                let _e568 = (_e264 * 2u);
+                                                let _e570 = ((1u + _e568) % 7u);
+                                                if (_e570 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e576 = global_7.member[_e532.member_1][_e571];
-                                                let _e579 = (((_e265 + 1u) * 2u) % 7u);
-                                                if (_e579 < 7u) {
+                                                let _e575 = global_7.member[_e532.member_1][_e570];
+                                                let _e577 = ((_e568 + 2u) % 7u);
+                                                if (_e577 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e584 = global_7.member[_e532.member_1][_e579];
-                                                let _e587 = (((_e264 + 1u) * 2u) % 7u);
-                                                if (_e587 < 7u) {
+                                                let _e582 = global_7.member[_e532.member_1][_e577];
+                                                let _e583 = (_e266 * 2u);
+                                                let _e585 = ((1u + _e583) % 7u);
+                                                if (_e585 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e592 = global_7.member[_e532.member_1][_e587];
-                                                let _e595 = (((_e266 + 1u) * 2u) % 7u);
-                                                if (_e595 < 7u) {
+                                                let _e590 = global_7.member[_e532.member_1][_e585];
+                                                let _e592 = ((_e583 + 2u) % 7u);
+                                                if (_e592 < 7u) {
                                                 } else {
-                                                    phi_3576_ = true;
+                                                    phi_3429_ = true;
                                                     break;
                                                 }
-                                                let _e600 = global_7.member[_e532.member_1][_e595];
-                                                let _e623 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.x - _e532.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e624 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.y - _e532.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e625 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.z - _e532.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e627 = select(_e139, _e623, (_e623 > _e139));
-                                                let _e629 = select(_e139, _e624, (_e624 > _e139));
-                                                let _e631 = select(_e139, _e625, (_e625 > _e139));
-                                                let _e656 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e627));
-                                                let _e661 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e664 = bitcast<f32>((_e656 & bitcast<u32>(_e661)));
-                                                let _e665 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e629));
-                                                let _e670 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e673 = bitcast<f32>((_e665 & bitcast<u32>(_e670)));
-                                                let _e674 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e631));
-                                                let _e679 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e682 = bitcast<f32>((_e674 & bitcast<u32>(_e679)));
-                                                let _e686 = bitcast<f32>((_e656 & bitcast<u32>(~(_e661))));
-                                                let _e690 = bitcast<f32>((_e665 & bitcast<u32>(~(_e670))));
-                                                let _e694 = bitcast<f32>((_e674 & bitcast<u32>(~(_e679))));
-                                                let _e695 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e627));
-                                                let _e700 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e703 = bitcast<f32>((_e695 & bitcast<u32>(_e700)));
-                                                let _e704 = bitcast<u32>((f32(bitcast<i32>((_e592 & 2097151u))) * _e629));
-                                                let _e709 = (bitcast<i32>((_e592 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e712 = bitcast<f32>((_e704 & bitcast<u32>(_e709)));
-                                                let _e713 = bitcast<u32>((f32(bitcast<i32>((_e600 & 2097151u))) * _e631));
-                                                let _e718 = (bitcast<i32>((_e600 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e721 = bitcast<f32>((_e713 & bitcast<u32>(_e718)));
-                                                let _e725 = bitcast<f32>((_e695 & bitcast<u32>(~(_e700))));
-                                                let _e729 = bitcast<f32>((_e704 & bitcast<u32>(~(_e709))));
-                                                let _e733 = bitcast<f32>((_e713 & bitcast<u32>(~(_e718))));
-                                                let _e763 = global_7.member[_e532.member_1][0u];
-                                                let _e767 = global_7.member[_e532.member_1][2u];
-                                                let _e771 = global_7.member[_e532.member_1][4u];
-                                                let _e775 = global_7.member[_e532.member_1][6u];
-                                                let _e787 = (((_e767 >> bitcast<u32>(22i)) | ((_e771 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e775 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e788 = (_e763 & 268435455u);
-                                                let _e789 = (_e787 & 268435455u);
-                                                let _e792 = ((_e763 >> bitcast<u32>(28u)) & 7u);
-                                                let _e800 = ((_e763 >> bitcast<u32>(31i)) | (((_e787 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e801 = (_e792 != 0u);
-                                                if (_e792 == 0u) {
-                                                    phi_2603_ = _e788;
+                                                let _e597 = global_7.member[_e532.member_1][_e592];
+                                                let _e620 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.x - _e532.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e621 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.y - _e532.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e622 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.z - _e532.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e624 = select(_e139, _e620, (_e620 > _e139));
+                                                let _e626 = select(_e139, _e621, (_e621 > _e139));
+                                                let _e628 = select(_e139, _e622, (_e622 > _e139));
+                                                let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
+                                                let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
+                                                let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
+                                                let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                                let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
+                                                let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
+                                                let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
+                                                let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                                let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
+                                                let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
+                                                let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
+                                                let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
+                                                let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                                let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
+                                                let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
+                                                let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
+                                                let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                                let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
+                                                let _e760 = global_7.member[_e532.member_1][0u];
+                                                let _e764 = global_7.member[_e532.member_1][2u];
+                                                let _e768 = global_7.member[_e532.member_1][4u];
+                                                let _e772 = global_7.member[_e532.member_1][6u];
+                                                let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e785 = (_e760 & 268435455u);
+                                                let _e786 = (_e784 & 268435455u);
+                                                let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
+                                                let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e798 = (_e789 != 0u);
+                                                if (_e789 == 0u) {
+                                                    phi_2456_ = _e785;
                                                 } else {
-                                                    if (_e792 == 7u) {
-                                                        phi_2602_ = 2147483648u;
+                                                    if (_e789 == 7u) {
+                                                        phi_2455_ = 2147483648u;
                                                     } else {
-                                                        phi_2602_ = ((2147483648u | (_e792 << bitcast<u32>(28u))) | (_e789 & 268435455u));
+                                                        phi_2455_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
                                                     }
-                                                    let _e810 = phi_2602_;
-                                                    phi_2603_ = _e810;
+                                                    let _e807 = phi_2455_;
+                                                    phi_2456_ = _e807;
                                                 }
-                                                let _e812 = phi_2603_;
-                                                if _e801 {
-                                                    let _e813 = (_e792 != 7u);
-                                                    if _e813 {
-                                                        phi_2613_ = (_e789 + _e792);
+                                                let _e809 = phi_2456_;
+                                                if _e798 {
+                                                    let _e810 = (_e789 != 7u);
+                                                    if _e810 {
+                                                        phi_2466_ = (_e786 + _e789);
                                                     } else {
-                                                        phi_2613_ = u32();
+                                                        phi_2466_ = u32();
                                                     }
-                                                    let _e816 = phi_2613_;
-                                                    phi_2615_ = _e816;
-                                                    phi_2616_ = select(true, false, _e813);
+                                                    let _e813 = phi_2466_;
+                                                    phi_2468_ = _e813;
+                                                    phi_2469_ = select(true, false, _e810);
                                                 } else {
-                                                    phi_2615_ = u32();
-                                                    phi_2616_ = true;
+                                                    phi_2468_ = u32();
+                                                    phi_2469_ = true;
                                                 }
-                                                let _e819 = phi_2615_;
-                                                let _e821 = phi_2616_;
-                                                if (_e800 == 0u) {
-                                                    phi_2637_ = (_e788 + select(0u, 1u, !(_e801)));
+                                                let _e816 = phi_2468_;
+                                                let _e818 = phi_2469_;
+                                                if (_e797 == 0u) {
+                                                    phi_2490_ = (_e785 + select(0u, 1u, !(_e798)));
                                                 } else {
-                                                    if (_e800 == 7u) {
-                                                        phi_2636_ = 2147483648u;
+                                                    if (_e797 == 7u) {
+                                                        phi_2489_ = 2147483648u;
                                                     } else {
-                                                        phi_2636_ = ((2147483648u | (_e800 << bitcast<u32>(28u))) | (select(_e819, _e789, _e821) & 268435455u));
+                                                        phi_2489_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
                                                     }
-                                                    let _e834 = phi_2636_;
-                                                    phi_2637_ = _e834;
+                                                    let _e831 = phi_2489_;
+                                                    phi_2490_ = _e831;
                                                 }
-                                                let _e836 = phi_2637_;
-                                                phi_2641_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e532.member.member.x + _e664), (_e532.member.member.x + _e686), (_e532.member.member_1.x - _e703), (_e532.member.member_1.x - _e725)), vec4<f32>((_e532.member.member.y + _e673), (_e532.member.member.y + _e690), (_e532.member.member_1.y - _e712), (_e532.member.member_1.y - _e729)), vec4<f32>((_e532.member.member.z + _e682), (_e532.member.member.z + _e694), (_e532.member.member_1.z - _e721), (_e532.member.member_1.z - _e733))), type_53(type_34((_e532.member.member + vec4<f32>(_e664, _e673, _e682, 0f)), (_e532.member.member_1 - vec4<f32>(_e703, _e712, _e721, 0f))), _e812), type_53(type_34((_e532.member.member + vec4<f32>(_e686, _e690, _e694, 0f)), (_e532.member.member_1 - vec4<f32>(_e725, _e729, _e733, 0f))), _e836));
+                                                let _e833 = phi_2490_;
+                                                phi_2494_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e532.member.member.x + _e661), (_e532.member.member.x + _e683), (_e532.member.member_1.x - _e700), (_e532.member.member_1.x - _e722)), vec4<f32>((_e532.member.member.y + _e670), (_e532.member.member.y + _e687), (_e532.member.member_1.y - _e709), (_e532.member.member_1.y - _e726)), vec4<f32>((_e532.member.member.z + _e679), (_e532.member.member.z + _e691), (_e532.member.member_1.z - _e718), (_e532.member.member_1.z - _e730))), type_53(type_34((_e532.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e532.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_53(type_34((_e532.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e532.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
                                             }
-                                            let _e841 = phi_2641_;
-                                            let _e854 = ((_e841.member[0].x - _e320) * _e325);
-                                            let _e855 = ((_e841.member[0].y - _e320) * _e325);
-                                            let _e856 = ((_e841.member[0].z - _e321) * _e325);
-                                            let _e857 = ((_e841.member[0].w - _e321) * _e325);
-                                            let _e867 = ((_e841.member[1].x - _e356) * _e361);
-                                            let _e868 = ((_e841.member[1].y - _e356) * _e361);
-                                            let _e869 = ((_e841.member[1].z - _e357) * _e361);
-                                            let _e870 = ((_e841.member[1].w - _e357) * _e361);
-                                            let _e880 = ((_e841.member[2].x - _e392) * _e397);
-                                            let _e881 = ((_e841.member[2].y - _e392) * _e397);
-                                            let _e882 = ((_e841.member[2].z - _e393) * _e397);
-                                            let _e883 = ((_e841.member[2].w - _e393) * _e397);
-                                            let _e885 = select(_e882, _e880, (_e880 < _e882));
-                                            let _e887 = select(_e883, _e881, (_e881 < _e883));
-                                            let _e889 = select(_e882, _e880, (_e880 > _e882));
-                                            let _e891 = select(_e883, _e881, (_e881 > _e883));
-                                            let _e893 = select(_e856, _e854, (_e854 < _e856));
-                                            let _e895 = select(_e857, _e855, (_e855 < _e857));
-                                            let _e897 = select(_e869, _e867, (_e867 < _e869));
-                                            let _e899 = select(_e870, _e868, (_e868 < _e870));
-                                            let _e901 = select(_e897, _e893, (_e893 > _e897));
-                                            let _e903 = select(_e899, _e895, (_e895 > _e899));
-                                            let _e905 = select(_e885, _e901, (_e901 > _e885));
-                                            let _e907 = select(_e887, _e903, (_e903 > _e887));
-                                            let _e909 = select(_e856, _e854, (_e854 > _e856));
-                                            let _e911 = select(_e857, _e855, (_e855 > _e857));
-                                            let _e913 = select(_e869, _e867, (_e867 > _e869));
-                                            let _e915 = select(_e870, _e868, (_e868 > _e870));
-                                            let _e917 = select(_e913, _e909, (_e909 < _e913));
-                                            let _e919 = select(_e915, _e911, (_e911 < _e915));
-                                            let _e924 = -(_e885);
-                                            let _e925 = -(_e887);
-                                            let _e932 = (select(_e889, _e917, (_e917 < _e889)) + (select(_e924, _e889, (_e889 > _e924)) * 0.0000019073523f));
-                                            let _e933 = (select(_e891, _e919, (_e919 < _e891)) + (select(_e925, _e891, (_e891 > _e925)) * 0.0000019073523f));
-                                            let _e935 = select(_e443, _e905, (_e905 > _e443));
-                                            let _e937 = select(_e443, _e907, (_e907 > _e443));
-                                            let _e942 = (_e935 <= select(_e492.member.member_1, _e932, (_e932 < _e492.member.member_1)));
-                                            let _e943 = (_e937 <= select(_e492.member.member_1, _e933, (_e933 < _e492.member.member_1)));
-                                            let _e944 = (_e935 <= _e937);
-                                            if _e942 {
-                                                if _e943 {
-                                                    if _e944 {
-                                                        phi_2985_ = _e841.member_2;
+                                            let _e838 = phi_2494_;
+                                            let _e851 = ((_e838.member[0].x - _e320) * _e325);
+                                            let _e852 = ((_e838.member[0].y - _e320) * _e325);
+                                            let _e853 = ((_e838.member[0].z - _e321) * _e325);
+                                            let _e854 = ((_e838.member[0].w - _e321) * _e325);
+                                            let _e864 = ((_e838.member[1].x - _e356) * _e361);
+                                            let _e865 = ((_e838.member[1].y - _e356) * _e361);
+                                            let _e866 = ((_e838.member[1].z - _e357) * _e361);
+                                            let _e867 = ((_e838.member[1].w - _e357) * _e361);
+                                            let _e877 = ((_e838.member[2].x - _e392) * _e397);
+                                            let _e878 = ((_e838.member[2].y - _e392) * _e397);
+                                            let _e879 = ((_e838.member[2].z - _e393) * _e397);
+                                            let _e880 = ((_e838.member[2].w - _e393) * _e397);
+                                            let _e882 = select(_e879, _e877, (_e877 < _e879));
+                                            let _e884 = select(_e880, _e878, (_e878 < _e880));
+                                            let _e886 = select(_e879, _e877, (_e877 > _e879));
+                                            let _e888 = select(_e880, _e878, (_e878 > _e880));
+                                            let _e890 = select(_e853, _e851, (_e851 < _e853));
+                                            let _e892 = select(_e854, _e852, (_e852 < _e854));
+                                            let _e894 = select(_e866, _e864, (_e864 < _e866));
+                                            let _e896 = select(_e867, _e865, (_e865 < _e867));
+                                            let _e898 = select(_e894, _e890, (_e890 > _e894));
+                                            let _e900 = select(_e896, _e892, (_e892 > _e896));
+                                            let _e902 = select(_e882, _e898, (_e898 > _e882));
+                                            let _e904 = select(_e884, _e900, (_e900 > _e884));
+                                            let _e906 = select(_e853, _e851, (_e851 > _e853));
+                                            let _e908 = select(_e854, _e852, (_e852 > _e854));
+                                            let _e910 = select(_e866, _e864, (_e864 > _e866));
+                                            let _e912 = select(_e867, _e865, (_e865 > _e867));
+                                            let _e914 = select(_e910, _e906, (_e906 < _e910));
+                                            let _e916 = select(_e912, _e908, (_e908 < _e912));
+                                            let _e921 = -(_e882);
+                                            let _e922 = -(_e884);
+                                            let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
+                                            let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
+                                            let _e932 = select(_e443, _e902, (_e902 > _e443));
+                                            let _e934 = select(_e443, _e904, (_e904 > _e443));
+                                            let _e939 = (_e932 <= select(_e492.member.member_1, _e929, (_e929 < _e492.member.member_1)));
+                                            let _e940 = (_e934 <= select(_e492.member.member_1, _e930, (_e930 < _e492.member.member_1)));
+                                            let _e941 = (_e932 <= _e934);
+                                            if _e939 {
+                                                if _e940 {
+                                                    if _e941 {
+                                                        phi_2838_ = _e838.member_2;
                                                     } else {
-                                                        phi_2985_ = _e841.member_1;
+                                                        phi_2838_ = _e838.member_1;
                                                     }
-                                                    let _e948 = phi_2985_;
-                                                    let _e970 = (_e536 % 128u);
-                                                    let _e971 = (_e970 < 128u);
-                                                    if _e971 {
+                                                    let _e945 = phi_2838_;
+                                                    let _e967 = (_e536 % 128u);
+                                                    let _e968 = (_e967 < 128u);
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e970] = _e948.member_1;
-                                                    if _e971 {
+                                                    local_8[_e967] = _e945.member_1;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e970] = _e948.member.member.x;
-                                                    if _e971 {
+                                                    local_7[_e967] = _e945.member.member.x;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e970] = _e948.member.member.y;
-                                                    if _e971 {
+                                                    local_6[_e967] = _e945.member.member.y;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e970] = _e948.member.member.z;
-                                                    if _e971 {
+                                                    local_5[_e967] = _e945.member.member.z;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e970] = _e948.member.member_1.x;
-                                                    if _e971 {
+                                                    local_4[_e967] = _e945.member.member_1.x;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e970] = _e948.member.member_1.y;
-                                                    if _e971 {
+                                                    local_3[_e967] = _e945.member.member_1.y;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e970] = _e948.member.member_1.z;
-                                                    if _e971 {
+                                                    local_2[_e967] = _e945.member.member_1.z;
+                                                    if _e968 {
                                                     } else {
-                                                        phi_3576_ = true;
+                                                        phi_3429_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e970] = select(_e937, _e935, (_e935 > _e937));
-                                                    if _e944 {
-                                                        phi_3062_ = _e841.member_1;
+                                                    local_9[_e967] = select(_e934, _e932, (_e932 > _e934));
+                                                    if _e941 {
+                                                        phi_2915_ = _e838.member_1;
                                                     } else {
-                                                        phi_3062_ = _e841.member_2;
+                                                        phi_2915_ = _e838.member_2;
                                                     }
-                                                    let _e984 = phi_3062_;
-                                                    phi_3063_ = _e984;
-                                                    phi_3064_ = (_e536 + 1u);
+                                                    let _e981 = phi_2915_;
+                                                    phi_2916_ = _e981;
+                                                    phi_2917_ = (_e536 + 1u);
                                                 } else {
-                                                    phi_3063_ = type_53();
-                                                    phi_3064_ = u32();
+                                                    phi_2916_ = type_53();
+                                                    phi_2917_ = u32();
                                                 }
-                                                let _e986 = phi_3063_;
-                                                let _e988 = phi_3064_;
-                                                phi_3066_ = _e986;
-                                                phi_3067_ = _e988;
-                                                phi_3068_ = select(true, false, _e943);
+                                                let _e983 = phi_2916_;
+                                                let _e985 = phi_2917_;
+                                                phi_2919_ = _e983;
+                                                phi_2920_ = _e985;
+                                                phi_2921_ = select(true, false, _e940);
                                             } else {
-                                                phi_3066_ = type_53();
-                                                phi_3067_ = u32();
-                                                phi_3068_ = true;
+                                                phi_2919_ = type_53();
+                                                phi_2920_ = u32();
+                                                phi_2921_ = true;
                                             }
-                                            let _e991 = phi_3066_;
-                                            let _e993 = phi_3067_;
-                                            let _e995 = phi_3068_;
-                                            if _e995 {
-                                                if _e942 {
-                                                    phi_3077_ = _e841.member_1;
+                                            let _e988 = phi_2919_;
+                                            let _e990 = phi_2920_;
+                                            let _e992 = phi_2921_;
+                                            if _e992 {
+                                                if _e939 {
+                                                    phi_2930_ = _e838.member_1;
                                                 } else {
-                                                    phi_3077_ = _e841.member_2;
+                                                    phi_2930_ = _e838.member_2;
                                                 }
-                                                let _e999 = phi_3077_;
-                                                phi_3082_ = _e999;
-                                                phi_3083_ = select(_e943, true, _e942);
+                                                let _e996 = phi_2930_;
+                                                phi_2935_ = _e996;
+                                                phi_2936_ = select(_e940, true, _e939);
                                             } else {
-                                                phi_3082_ = _e991;
-                                                phi_3083_ = _e534;
+                                                phi_2935_ = _e988;
+                                                phi_2936_ = _e534;
                                             }
-                                            let _e1002 = phi_3082_;
-                                            let _e1004 = phi_3083_;
-                                            phi_3580_ = _e490;
-                                            phi_3085_ = type_42(_e492.member, (_e492.member_1 + 1u), _e492.member_2);
-                                            phi_3086_ = _e1002;
-                                            phi_3087_ = _e1004;
-                                            phi_3088_ = select(_e993, _e536, _e995);
+                                            let _e999 = phi_2935_;
+                                            let _e1001 = phi_2936_;
+                                            phi_3433_ = _e490;
+                                            phi_2938_ = type_42(_e492.member, (_e492.member_1 + 1u), _e492.member_2);
+                                            phi_2939_ = _e999;
+                                            phi_2940_ = _e1001;
+                                            phi_2941_ = select(_e990, _e536, _e992);
                                         }
-                                        let _e1428 = phi_3580_;
-                                        let _e1430 = phi_3085_;
-                                        let _e1432 = phi_3086_;
-                                        let _e1434 = phi_3087_;
-                                        let _e1436 = phi_3088_;
-                                        phi_3579_ = _e1428;
-                                        phi_3089_ = _e1430;
-                                        phi_3090_ = _e1432;
-                                        phi_3091_ = (_e496 - 1u);
-                                        phi_3092_ = _e1434;
-                                        phi_3093_ = _e1436;
+                                        let _e1425 = phi_3433_;
+                                        let _e1427 = phi_2938_;
+                                        let _e1429 = phi_2939_;
+                                        let _e1431 = phi_2940_;
+                                        let _e1433 = phi_2941_;
+                                        phi_3432_ = _e1425;
+                                        phi_2942_ = _e1427;
+                                        phi_2943_ = _e1429;
+                                        phi_2944_ = (_e496 - 1u);
+                                        phi_2945_ = _e1431;
+                                        phi_2946_ = _e1433;
                                     } else {
-                                        phi_3579_ = _e490;
-                                        phi_3089_ = _e492;
-                                        phi_3090_ = _e532;
-                                        phi_3091_ = _e496;
-                                        phi_3092_ = _e534;
-                                        phi_3093_ = _e536;
+                                        phi_3432_ = _e490;
+                                        phi_2942_ = _e492;
+                                        phi_2943_ = _e532;
+                                        phi_2944_ = _e496;
+                                        phi_2945_ = _e534;
+                                        phi_2946_ = _e536;
                                     }
-                                    let _e1438 = phi_3579_;
-                                    let _e1440 = phi_3089_;
-                                    let _e1442 = phi_3090_;
-                                    let _e1444 = phi_3091_;
-                                    let _e1446 = phi_3092_;
-                                    let _e1448 = phi_3093_;
-                                    phi_3578_ = _e1438;
-                                    phi_3094_ = _e1440;
-                                    phi_3095_ = _e1442;
-                                    phi_3096_ = _e1444;
-                                    phi_3097_ = _e1446;
-                                    phi_3098_ = _e1448;
+                                    let _e1435 = phi_3432_;
+                                    let _e1437 = phi_2942_;
+                                    let _e1439 = phi_2943_;
+                                    let _e1441 = phi_2944_;
+                                    let _e1443 = phi_2945_;
+                                    let _e1445 = phi_2946_;
+                                    phi_3431_ = _e1435;
+                                    phi_2947_ = _e1437;
+                                    phi_2948_ = _e1439;
+                                    phi_2949_ = _e1441;
+                                    phi_2950_ = _e1443;
+                                    phi_2951_ = _e1445;
                                 } else {
-                                    phi_3578_ = _e490;
-                                    phi_3094_ = type_42();
-                                    phi_3095_ = type_53();
-                                    phi_3096_ = u32();
-                                    phi_3097_ = bool();
-                                    phi_3098_ = u32();
+                                    phi_3431_ = _e490;
+                                    phi_2947_ = type_42();
+                                    phi_2948_ = type_53();
+                                    phi_2949_ = u32();
+                                    phi_2950_ = bool();
+                                    phi_2951_ = u32();
                                 }
-                                let _e1450 = phi_3578_;
-                                let _e1452 = phi_3094_;
-                                let _e1454 = phi_3095_;
-                                let _e1456 = phi_3096_;
-                                let _e1458 = phi_3097_;
-                                let _e1460 = phi_3098_;
-                                phi_3577_ = _e1450;
-                                phi_860_ = _e1452;
-                                phi_863_ = _e1454;
-                                phi_865_ = _e1456;
-                                phi_867_ = _e1458;
-                                phi_869_ = _e1460;
-                                phi_3099_ = _e504;
+                                let _e1447 = phi_3431_;
+                                let _e1449 = phi_2947_;
+                                let _e1451 = phi_2948_;
+                                let _e1453 = phi_2949_;
+                                let _e1455 = phi_2950_;
+                                let _e1457 = phi_2951_;
+                                phi_3430_ = _e1447;
+                                phi_855_ = _e1449;
+                                phi_858_ = _e1451;
+                                phi_860_ = _e1453;
+                                phi_862_ = _e1455;
+                                phi_864_ = _e1457;
+                                phi_2952_ = _e504;
                             } else {
-                                phi_3577_ = _e490;
-                                phi_860_ = type_42();
-                                phi_863_ = type_53();
-                                phi_865_ = u32();
-                                phi_867_ = bool();
-                                phi_869_ = u32();
-                                phi_3099_ = false;
+                                phi_3430_ = _e490;
+                                phi_855_ = type_42();
+                                phi_858_ = type_53();
+                                phi_860_ = u32();
+                                phi_862_ = bool();
+                                phi_864_ = u32();
+                                phi_2952_ = false;
                             }
-                            let _e1462 = phi_3577_;
-                            let _e1464 = phi_860_;
-                            let _e1466 = phi_863_;
-                            let _e1468 = phi_865_;
-                            let _e1470 = phi_867_;
-                            let _e1472 = phi_869_;
-                            let _e1474 = phi_3099_;
+                            let _e1459 = phi_3430_;
+                            let _e1461 = phi_855_;
+                            let _e1463 = phi_858_;
+                            let _e1465 = phi_860_;
+                            let _e1467 = phi_862_;
+                            let _e1469 = phi_864_;
+                            let _e1471 = phi_2952_;
                             continue;
                             continuing {
-                                phi_3468_ = _e1462;
-                                phi_859_ = _e1464;
-                                phi_862_ = _e1466;
-                                phi_864_ = _e1468;
-                                phi_866_ = _e1470;
-                                phi_868_ = _e1472;
-                                phi_3576_ = _e1462;
-                                break if !(_e1474);
+                                phi_3321_ = _e1459;
+                                phi_854_ = _e1461;
+                                phi_857_ = _e1463;
+                                phi_859_ = _e1465;
+                                phi_861_ = _e1467;
+                                phi_863_ = _e1469;
+                                phi_3429_ = _e1459;
+                                break if !(_e1471);
                             }
                         }
-                        let _e1477 = phi_3576_;
-                        if _e1477 {
+                        let _e1474 = phi_3429_;
+                        if _e1474 {
                             break;
                         }
-                        let _e1479 = local_10;
-                        if (_e1479.member.member.member_3 != 4294967295u) {
-                            let _e1485 = (_e267 / 3i);
-                            let _e1492 = bitcast<f32>((bitcast<u32>((_e1485 + 127i)) << bitcast<u32>(23i)));
-                            let _e1500 = (((_e1479.member.member.member * _e1492) * _e1492) * bitcast<f32>((bitcast<u32>(((_e267 - (2i * _e1485)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1502 = select(340282350000000000000000000000000000000f, _e1500, (_e1500 < 340282350000000000000000000000000000000f));
-                            phi_3151_ = type_22(select(-340282350000000000000000000000000000000f, _e1502, (_e1502 > -340282350000000000000000000000000000000f)), _e1479.member.member.member_1, _e1479.member.member.member_2, _e1479.member.member.member_3);
+                        let _e1476 = local_10;
+                        if (_e1476.member.member.member_3 != 4294967295u) {
+                            let _e1482 = (_e267 / 3i);
+                            let _e1489 = bitcast<f32>((bitcast<u32>((_e1482 + 127i)) << bitcast<u32>(23i)));
+                            let _e1497 = (((_e1476.member.member.member * _e1489) * _e1489) * bitcast<f32>((bitcast<u32>(((_e267 - (2i * _e1482)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1499 = select(340282350000000000000000000000000000000f, _e1497, (_e1497 < 340282350000000000000000000000000000000f));
+                            phi_3004_ = type_22(select(-340282350000000000000000000000000000000f, _e1499, (_e1499 > -340282350000000000000000000000000000000f)), _e1476.member.member.member_1, _e1476.member.member.member_2, _e1476.member.member.member_3);
                         } else {
-                            phi_3151_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3004_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1509 = phi_3151_;
+                        let _e1506 = phi_3004_;
                         if _e143 {
                         } else {
                             break;
                         }
-                        global_2.member[_e127] = _e1509;
-                        let _e1513 = local_11;
+                        global_2.member[_e127] = _e1506;
+                        let _e1510 = local_11;
                         if _e144 {
                         } else {
                             break;
                         }
-                        global_5.member[_e127] = _e1513.member_1;
+                        global_5.member[_e127] = _e1510.member_1;
                         if _e142 {
                         } else {
                             break;
                         }
-                        let _e1518 = select(0u, 1u, (_e211 <= _e221));
-                        if (_e1518 > 0u) {
-                            let _e1520 = (1u < _e95);
-                            if _e1520 {
+                        let _e1515 = select(0u, 1u, (_e211 <= _e221));
+                        if (_e1515 > 0u) {
+                            let _e1517 = (1u < _e95);
+                            if _e1517 {
                                 if (0u < _e95) {
                                 } else {
                                     break;
                                 }
-                                let _e1524 = atomicAdd((&global_6.member[0u]), _e1518);
-                                if ((_e1524 + _e1518) < _e1524) {
-                                    if _e1520 {
+                                let _e1521 = atomicAdd((&global_6.member[0u]), _e1515);
+                                if ((_e1521 + _e1515) < _e1521) {
+                                    if _e1517 {
                                     } else {
                                         break;
                                     }
-                                    let _e1529 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1526 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1532 = select(0u, 1u, (_e1509.member_3 != 4294967295u));
-                        if (_e1532 > 0u) {
-                            let _e1534 = (3u < _e95);
-                            if _e1534 {
+                        let _e1529 = select(0u, 1u, (_e1506.member_3 != 4294967295u));
+                        if (_e1529 > 0u) {
+                            let _e1531 = (3u < _e95);
+                            if _e1531 {
                                 if (2u < _e95) {
                                 } else {
                                     break;
                                 }
-                                let _e1538 = atomicAdd((&global_6.member[2u]), _e1532);
-                                if ((_e1538 + _e1532) < _e1538) {
-                                    if _e1534 {
+                                let _e1535 = atomicAdd((&global_6.member[2u]), _e1529);
+                                if ((_e1535 + _e1529) < _e1535) {
+                                    if _e1531 {
                                     } else {
                                         break;
                                     }
-                                    let _e1543 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1540 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1513.member_1 > 0u) {
-                            let _e1545 = (5u < _e95);
-                            if _e1545 {
+                        if (_e1510.member_1 > 0u) {
+                            let _e1542 = (5u < _e95);
+                            if _e1542 {
                                 if (4u < _e95) {
                                 } else {
                                     break;
                                 }
-                                let _e1549 = atomicAdd((&global_6.member[4u]), _e1513.member_1);
-                                if ((_e1549 + _e1513.member_1) < _e1549) {
-                                    if _e1545 {
+                                let _e1546 = atomicAdd((&global_6.member[4u]), _e1510.member_1);
+                                if ((_e1546 + _e1510.member_1) < _e1546) {
+                                    if _e1542 {
                                     } else {
                                         break;
                                     }
-                                    let _e1554 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1551 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

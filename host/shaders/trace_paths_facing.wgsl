@@ -95,12 +95,12 @@ struct type_66 {
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
-@group(0) @binding(1) 
-var<uniform> global_2: type_56;
-@group(0) @binding(2) 
-var<storage> global_3: type_42;
 @group(0) @binding(3) 
-var<storage> global_4: type_20;
+var<storage> global_2: type_20;
+@group(0) @binding(1) 
+var<uniform> global_3: type_56;
+@group(0) @binding(2) 
+var<storage> global_4: type_42;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -240,8 +240,8 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e73 = global;
-            let _e75 = arrayLength((&global_3.member));
-            let _e77 = arrayLength((&global_4.member));
+            let _e75 = arrayLength((&global_4.member));
+            let _e77 = arrayLength((&global_2.member));
             let _e89 = arrayLength((&global_9.member));
             let _e93 = (_e73.x + (_e73.y * 2097152u));
             let _e94 = (_e93 < arrayLength((&global_7.member)));
@@ -257,14 +257,14 @@ fn function_() {
             }
             let _e100 = phi_217_;
             let _e103 = global_1.member[0u];
-            let _e107 = global_2.member[0u][0u];
-            let _e111 = global_2.member[0u][1u];
-            let _e115 = global_2.member[0u][2u];
-            let _e119 = global_2.member[0u][3u];
-            let _e123 = global_2.member[1u][0u];
-            let _e127 = global_2.member[1u][1u];
-            let _e131 = global_2.member[1u][2u];
-            let _e135 = global_2.member[1u][3u];
+            let _e107 = global_3.member[0u][0u];
+            let _e111 = global_3.member[0u][1u];
+            let _e115 = global_3.member[0u][2u];
+            let _e119 = global_3.member[0u][3u];
+            let _e123 = global_3.member[1u][0u];
+            let _e127 = global_3.member[1u][1u];
+            let _e131 = global_3.member[1u][2u];
+            let _e135 = global_3.member[1u][3u];
             let _e136 = bitcast<f32>(_e107);
             let _e137 = bitcast<f32>(_e111);
             let _e138 = bitcast<f32>(_e115);
@@ -597,7 +597,7 @@ fn function_() {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e734 = global_4.member[_e729].member_1;
+                                                    let _e734 = global_2.member[_e729].member_1;
                                                     phi_887_ = _e734;
                                                 } else {
                                                     phi_887_ = 4294967295u;
@@ -619,61 +619,61 @@ fn function_() {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e746 = global_4.member[_e729].member[_e738];
+                                                    let _e746 = global_2.member[_e729].member[_e738];
                                                     if (_e739 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e752 = global_4.member[_e729].member[_e739];
+                                                    let _e752 = global_2.member[_e729].member[_e739];
                                                     if (_e740 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e758 = global_4.member[_e729].member[_e740];
+                                                    let _e758 = global_2.member[_e729].member[_e740];
                                                     let _e760 = (3u + _e738);
                                                     if (_e760 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e766 = global_4.member[_e729].member[_e760];
+                                                    let _e766 = global_2.member[_e729].member[_e760];
                                                     let _e767 = (3u + _e739);
                                                     if (_e767 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e773 = global_4.member[_e729].member[_e767];
+                                                    let _e773 = global_2.member[_e729].member[_e767];
                                                     let _e774 = (3u + _e740);
                                                     if (_e774 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e780 = global_4.member[_e729].member[_e774];
+                                                    let _e780 = global_2.member[_e729].member[_e774];
                                                     let _e782 = (6u + _e738);
                                                     if (_e782 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e788 = global_4.member[_e729].member[_e782];
+                                                    let _e788 = global_2.member[_e729].member[_e782];
                                                     let _e789 = (6u + _e739);
                                                     if (_e789 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e795 = global_4.member[_e729].member[_e789];
+                                                    let _e795 = global_2.member[_e729].member[_e789];
                                                     let _e796 = (6u + _e740);
                                                     if (_e796 < 9u) {
                                                     } else {
                                                         phi_2526_ = true;
                                                         break;
                                                     }
-                                                    let _e802 = global_4.member[_e729].member[_e796];
+                                                    let _e802 = global_2.member[_e729].member[_e796];
                                                     phi_976_ = array<array<f32, 3>, 3>(array<f32, 3>(_e746, _e752, _e758), array<f32, 3>(_e766, _e773, _e780), array<f32, 3>(_e788, _e795, _e802));
                                                 }
                                                 let _e806 = phi_976_;
@@ -1027,23 +1027,23 @@ fn function_() {
                                                 phi_2664_ = true;
                                                 break;
                                             }
-                                            let _e525 = global_3.member[_e505].member[_e519];
+                                            let _e525 = global_4.member[_e505].member[_e519];
                                             let _e531 = (_e293 % 3u);
                                             if (_e531 < 3u) {
                                             } else {
                                                 phi_2664_ = true;
                                                 break;
                                             }
-                                            let _e537 = global_3.member[_e505].member[_e531];
+                                            let _e537 = global_4.member[_e505].member[_e531];
                                             let _e543 = (_e295 % 3u);
                                             if (_e543 < 3u) {
                                             } else {
                                                 phi_2664_ = true;
                                                 break;
                                             }
-                                            let _e549 = global_3.member[_e505].member[_e543];
-                                            let _e559 = global_3.member[_e505].member_1;
-                                            let _e563 = global_3.member[_e505].member_2;
+                                            let _e549 = global_4.member[_e505].member[_e543];
+                                            let _e559 = global_4.member[_e505].member_1;
+                                            let _e563 = global_4.member[_e505].member_2;
                                             phi_1969_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e525[0], _e525[1], _e525[2], _e525[3]), vec4<f32>(_e537[0], _e537[1], _e537[2], _e537[3]), vec4<f32>(_e549[0], _e549[1], _e549[2], _e549[3])), _e559, _e563);
                                         }
                                         let _e566 = phi_1969_;

@@ -66,7 +66,7 @@ struct type_46 {
     member: array<i32>,
 }
 
-struct type_55 {
+struct type_52 {
     member: array<array<u32, 7>>,
 }
 
@@ -103,7 +103,7 @@ var<storage, read_write> global_7: type_23;
 @group(0) @binding(9) 
 var<storage, read_write> global_8: type_68;
 @group(0) @binding(3) 
-var<storage> global_9: type_55;
+var<storage> global_9: type_52;
 @group(0) @binding(4) 
 var<storage> global_10: type_4;
 
@@ -121,158 +121,158 @@ fn function_() {
     var local_10: array<u32, 3>;
     var local_11: array<array<f32, 3>, 3>;
     var local_12: array<f32, 4>;
-    var phi_341_: u32;
-    var phi_385_: i32;
-    var phi_409_: type_36;
+    var phi_340_: u32;
+    var phi_384_: i32;
+    var phi_408_: type_36;
+    var phi_514_: i32;
     var phi_515_: i32;
-    var phi_516_: i32;
-    var phi_526_: bool;
+    var phi_525_: bool;
+    var phi_535_: u32;
     var phi_536_: u32;
-    var phi_537_: u32;
-    var phi_539_: bool;
-    var phi_544_: u32;
-    var phi_577_: i32;
-    var phi_595_: f32;
-    var phi_601_: f32;
-    var phi_612_: f32;
-    var phi_618_: f32;
-    var phi_641_: f32;
-    var phi_652_: f32;
-    var phi_661_: f32;
-    var phi_667_: f32;
-    var phi_678_: f32;
-    var phi_684_: f32;
-    var phi_707_: f32;
-    var phi_718_: f32;
-    var phi_727_: f32;
-    var phi_733_: f32;
-    var phi_744_: f32;
-    var phi_750_: f32;
-    var phi_773_: f32;
-    var phi_784_: f32;
+    var phi_538_: bool;
+    var phi_543_: u32;
+    var phi_576_: i32;
+    var phi_594_: f32;
+    var phi_600_: f32;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_640_: f32;
+    var phi_651_: f32;
+    var phi_660_: f32;
+    var phi_666_: f32;
+    var phi_677_: f32;
+    var phi_683_: f32;
+    var phi_706_: f32;
+    var phi_717_: f32;
+    var phi_726_: f32;
+    var phi_732_: f32;
+    var phi_743_: f32;
+    var phi_749_: f32;
+    var phi_772_: f32;
+    var phi_783_: f32;
+    var phi_883_: f32;
     var phi_884_: f32;
-    var phi_885_: f32;
-    var phi_4140_: bool;
+    var phi_3997_: bool;
+    var phi_973_: type_39;
+    var phi_976_: type_60;
+    var phi_978_: u32;
+    var phi_980_: bool;
+    var phi_982_: u32;
+    var phi_993_: bool;
+    var phi_1079_: type_60;
+    var phi_1080_: bool;
+    var phi_1081_: u32;
+    var phi_2886_: u32;
+    var phi_2892_: u32;
+    var phi_3146_: u32;
+    var phi_3147_: u32;
+    var phi_3157_: u32;
+    var phi_3159_: u32;
+    var phi_3160_: bool;
+    var phi_3180_: u32;
+    var phi_3181_: u32;
+    var phi_3185_: type_61;
+    var phi_3529_: type_60;
+    var phi_3606_: type_60;
+    var phi_3607_: type_60;
+    var phi_3608_: u32;
+    var phi_3610_: type_60;
+    var phi_3611_: u32;
+    var phi_3612_: bool;
+    var phi_3621_: type_60;
+    var phi_3626_: type_60;
+    var phi_3627_: bool;
+    var phi_3994_: bool;
+    var phi_1100_: type_39;
+    var phi_1103_: type_8;
+    var phi_1104_: type_8;
+    var phi_1126_: type_8;
+    var phi_1167_: u32;
+    var phi_1173_: u32;
+    var phi_1183_: u32;
+    var phi_1199_: u32;
+    var phi_1236_: u32;
+    var phi_1242_: u32;
+    var phi_1252_: u32;
+    var phi_3979_: bool;
+    var phi_1268_: type_8;
+    var phi_1269_: type_8;
+    var phi_1292_: type_8;
+    var phi_1315_: u32;
+    var phi_1330_: u32;
+    var phi_1333_: type_8;
+    var phi_1334_: type_8;
+    var phi_1357_: type_8;
+    var phi_1423_: u32;
+    var phi_1403_: u32;
+    var phi_1404_: u32;
+    var phi_1427_: f32;
+    var phi_3972_: bool;
+    var phi_4055_: bool;
+    var phi_4054_: bool;
+    var phi_1927_: vec3<f32>;
+    var phi_1928_: vec3<f32>;
+    var phi_1959_: bool;
+    var phi_1968_: vec3<f32>;
+    var phi_2008_: type_21;
+    var phi_2010_: type_21;
+    var phi_2011_: bool;
+    var phi_2015_: type_21;
+    var phi_2016_: type_21;
+    var phi_2017_: type_21;
+    var phi_2018_: bool;
+    var phi_2022_: type_21;
+    var phi_2023_: bool;
+    var phi_2027_: type_21;
+    var phi_2028_: bool;
+    var phi_2032_: type_21;
+    var phi_2055_: u32;
+    var phi_2069_: i32;
+    var phi_2089_: vec3<f32>;
+    var phi_2090_: vec3<f32>;
+    var phi_2106_: vec3<f32>;
+    var phi_2107_: vec3<f32>;
+    var phi_2123_: vec3<f32>;
+    var phi_2124_: vec3<f32>;
+    var phi_2160_: vec3<f32>;
+    var phi_2342_: f32;
+    var phi_2360_: bool;
+    var phi_2361_: bool;
+    var phi_2380_: bool;
+    var phi_2381_: bool;
+    var phi_2387_: type_39;
+    var phi_2388_: type_39;
+    var phi_2389_: type_39;
+    var phi_4057_: bool;
+    var phi_1101_: type_39;
+    var phi_4056_: bool;
+    var phi_4139_: bool;
+    var phi_3629_: type_39;
+    var phi_3630_: type_60;
+    var phi_3631_: bool;
+    var phi_3632_: u32;
+    var phi_4138_: bool;
+    var phi_3633_: type_39;
+    var phi_3634_: type_60;
+    var phi_3635_: u32;
+    var phi_3636_: bool;
+    var phi_3637_: u32;
+    var phi_4137_: bool;
+    var phi_3638_: type_39;
+    var phi_3639_: type_60;
+    var phi_3640_: u32;
+    var phi_3641_: bool;
+    var phi_3642_: u32;
+    var phi_4136_: bool;
     var phi_974_: type_39;
     var phi_977_: type_60;
     var phi_979_: u32;
     var phi_981_: bool;
     var phi_983_: u32;
-    var phi_994_: bool;
-    var phi_1080_: type_60;
-    var phi_1081_: bool;
-    var phi_1082_: u32;
-    var phi_3029_: u32;
-    var phi_3035_: u32;
-    var phi_3289_: u32;
-    var phi_3290_: u32;
-    var phi_3300_: u32;
-    var phi_3302_: u32;
-    var phi_3303_: bool;
-    var phi_3323_: u32;
-    var phi_3324_: u32;
-    var phi_3328_: type_61;
-    var phi_3672_: type_60;
-    var phi_3749_: type_60;
-    var phi_3750_: type_60;
-    var phi_3751_: u32;
-    var phi_3753_: type_60;
-    var phi_3754_: u32;
-    var phi_3755_: bool;
-    var phi_3764_: type_60;
-    var phi_3769_: type_60;
-    var phi_3770_: bool;
-    var phi_4137_: bool;
-    var phi_1101_: type_39;
-    var phi_1104_: type_8;
-    var phi_1105_: type_8;
-    var phi_1127_: type_8;
-    var phi_1168_: u32;
-    var phi_1174_: u32;
-    var phi_1184_: u32;
-    var phi_1200_: u32;
-    var phi_1237_: u32;
-    var phi_1243_: u32;
-    var phi_1253_: u32;
-    var phi_4122_: bool;
-    var phi_1269_: type_8;
-    var phi_1270_: type_8;
-    var phi_1293_: type_8;
-    var phi_1316_: u32;
-    var phi_1331_: u32;
-    var phi_1334_: type_8;
-    var phi_1335_: type_8;
-    var phi_1358_: type_8;
-    var phi_1424_: u32;
-    var phi_1404_: u32;
-    var phi_1405_: u32;
-    var phi_1428_: f32;
-    var phi_4115_: bool;
-    var phi_4198_: bool;
-    var phi_4197_: bool;
-    var phi_1928_: vec3<f32>;
-    var phi_1929_: vec3<f32>;
-    var phi_1960_: bool;
-    var phi_1969_: vec3<f32>;
-    var phi_2009_: type_21;
-    var phi_2011_: type_21;
-    var phi_2012_: bool;
-    var phi_2016_: type_21;
-    var phi_2017_: type_21;
-    var phi_2018_: type_21;
-    var phi_2019_: bool;
-    var phi_2023_: type_21;
-    var phi_2024_: bool;
-    var phi_2028_: type_21;
-    var phi_2029_: bool;
-    var phi_2033_: type_21;
-    var phi_2056_: u32;
-    var phi_2070_: i32;
-    var phi_2090_: vec3<f32>;
-    var phi_2091_: vec3<f32>;
-    var phi_2107_: vec3<f32>;
-    var phi_2108_: vec3<f32>;
-    var phi_2124_: vec3<f32>;
-    var phi_2125_: vec3<f32>;
-    var phi_2161_: vec3<f32>;
-    var phi_2343_: f32;
-    var phi_2361_: bool;
-    var phi_2362_: bool;
-    var phi_2381_: bool;
-    var phi_2382_: bool;
-    var phi_2388_: type_39;
-    var phi_2389_: type_39;
-    var phi_2390_: type_39;
-    var phi_4200_: bool;
-    var phi_1102_: type_39;
-    var phi_4199_: bool;
-    var phi_4282_: bool;
-    var phi_3772_: type_39;
-    var phi_3773_: type_60;
-    var phi_3774_: bool;
-    var phi_3775_: u32;
-    var phi_4281_: bool;
-    var phi_3776_: type_39;
-    var phi_3777_: type_60;
-    var phi_3778_: u32;
-    var phi_3779_: bool;
-    var phi_3780_: u32;
-    var phi_4280_: bool;
-    var phi_3781_: type_39;
-    var phi_3782_: type_60;
-    var phi_3783_: u32;
-    var phi_3784_: bool;
-    var phi_3785_: u32;
-    var phi_4279_: bool;
-    var phi_975_: type_39;
-    var phi_978_: type_60;
-    var phi_980_: u32;
-    var phi_982_: bool;
-    var phi_984_: u32;
-    var phi_3786_: bool;
-    var phi_4278_: bool;
+    var phi_3643_: bool;
+    var phi_4135_: bool;
     var local_13: type_39;
-    var phi_3838_: type_21;
+    var phi_3695_: type_21;
     var local_14: type_39;
 
     switch bitcast<i32>(0u) {
@@ -299,11 +299,11 @@ fn function_() {
                     break;
                 }
                 let _e169 = global_6.member[_e150].member_2;
-                phi_341_ = _e169;
+                phi_340_ = _e169;
             } else {
-                phi_341_ = 4294967295u;
+                phi_340_ = 4294967295u;
             }
-            let _e171 = phi_341_;
+            let _e171 = phi_340_;
             let _e174 = global_1.member[0u];
             let _e178 = global_2.member[0u][0u];
             let _e182 = global_2.member[0u][1u];
@@ -320,19 +320,19 @@ fn function_() {
             let _e212 = array<u32, 3>(_e198, _e202, _e206);
             let _e214 = bitcast<i32>(_e174);
             if (_e214 < -126i) {
-                phi_385_ = -126i;
+                phi_384_ = -126i;
             } else {
-                phi_385_ = select(_e214, 127i, (_e214 > 127i));
+                phi_384_ = select(_e214, 127i, (_e214 > 127i));
             }
-            let _e219 = phi_385_;
+            let _e219 = phi_384_;
             let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
             let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
             if (_e190 == 0u) {
-                phi_409_ = type_36(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+                phi_408_ = type_36(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
             } else {
-                phi_409_ = type_36(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
+                phi_408_ = type_36(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
             }
-            let _e243 = phi_409_;
+            let _e243 = phi_408_;
             if _e165 {
                 let _e244 = (_e150 < arrayLength((&global_7.member)));
                 if _e244 {
@@ -364,188 +364,188 @@ fn function_() {
                     if _e327 {
                         let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
                         if (_e330 >= 8388608u) {
-                            phi_515_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
+                            phi_514_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_515_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
+                            phi_514_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
                         }
-                        let _e344 = phi_515_;
-                        phi_516_ = _e344;
+                        let _e344 = phi_514_;
+                        phi_515_ = _e344;
                     } else {
-                        phi_516_ = 0i;
+                        phi_515_ = 0i;
                     }
-                    let _e346 = phi_516_;
+                    let _e346 = phi_515_;
                     let _e347 = (_e256 == _e300);
                     if _e347 {
-                        phi_526_ = true;
+                        phi_525_ = true;
                     } else {
-                        phi_526_ = (_e264 == _e300);
+                        phi_525_ = (_e264 == _e300);
                     }
-                    let _e350 = phi_526_;
+                    let _e350 = phi_525_;
                     let _e351 = select(1u, 0u, _e347);
                     if _e350 {
                         let _e352 = (_e351 + 1u);
+                        phi_535_ = _e352;
                         phi_536_ = _e352;
-                        phi_537_ = _e352;
-                        phi_539_ = select(true, false, (_e352 == 2u));
+                        phi_538_ = select(true, false, (_e352 == 2u));
                     } else {
-                        phi_536_ = u32();
-                        phi_537_ = 0u;
-                        phi_539_ = true;
+                        phi_535_ = u32();
+                        phi_536_ = 0u;
+                        phi_538_ = true;
                     }
-                    let _e356 = phi_536_;
-                    let _e358 = phi_537_;
-                    let _e360 = phi_539_;
+                    let _e356 = phi_535_;
+                    let _e358 = phi_536_;
+                    let _e360 = phi_538_;
                     if _e360 {
-                        phi_544_ = (_e358 + 1u);
+                        phi_543_ = (_e358 + 1u);
                     } else {
-                        phi_544_ = 0u;
+                        phi_543_ = 0u;
                     }
-                    let _e364 = phi_544_;
+                    let _e364 = phi_543_;
                     let _e365 = select(_e356, _e358, _e360);
                     let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
                     let _e367 = -(_e346);
                     if (_e367 < -126i) {
-                        phi_577_ = -126i;
+                        phi_576_ = -126i;
                     } else {
-                        phi_577_ = select(_e367, 127i, (_e367 > 127i));
+                        phi_576_ = select(_e367, 127i, (_e367 > 127i));
                     }
-                    let _e372 = phi_577_;
+                    let _e372 = phi_576_;
                     let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
                     let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
                     let _e388 = global_6.member[_e150].member.member;
                     let _e389 = (_e365 == 0u);
                     if _e389 {
-                        phi_595_ = _e388[0];
+                        phi_594_ = _e388[0];
                     } else {
-                        phi_595_ = _e388[1];
+                        phi_594_ = _e388[1];
                     }
-                    let _e393 = phi_595_;
+                    let _e393 = phi_594_;
                     let _e394 = (_e365 == 2u);
                     if _e394 {
-                        phi_601_ = _e388[2];
+                        phi_600_ = _e388[2];
                     } else {
-                        phi_601_ = _e393;
+                        phi_600_ = _e393;
                     }
-                    let _e397 = phi_601_;
+                    let _e397 = phi_600_;
                     let _e398 = global_6.member[_e150].member.member_2;
                     if _e389 {
-                        phi_612_ = _e398[0];
+                        phi_611_ = _e398[0];
                     } else {
-                        phi_612_ = _e398[1];
+                        phi_611_ = _e398[1];
                     }
-                    let _e402 = phi_612_;
+                    let _e402 = phi_611_;
                     if _e394 {
-                        phi_618_ = _e398[2];
+                        phi_617_ = _e398[2];
                     } else {
-                        phi_618_ = _e402;
+                        phi_617_ = _e402;
                     }
-                    let _e405 = phi_618_;
+                    let _e405 = phi_617_;
                     let _e407 = ((_e405 * _e377) * _e383);
                     let _e411 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e411 {
                         let _e415 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_641_ = select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f));
+                        phi_640_ = select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f));
                     } else {
-                        phi_641_ = 0f;
+                        phi_640_ = 0f;
                     }
-                    let _e419 = phi_641_;
+                    let _e419 = phi_640_;
                     let _e420 = (_e397 + _e419);
                     let _e421 = (_e397 - _e419);
                     let _e422 = select(_e407, 0f, _e411);
                     if _e411 {
-                        phi_652_ = 38685626000000000000000000f;
+                        phi_651_ = 38685626000000000000000000f;
                     } else {
-                        phi_652_ = (1f / _e407);
+                        phi_651_ = (1f / _e407);
                     }
-                    let _e425 = phi_652_;
+                    let _e425 = phi_651_;
                     let _e426 = (_e364 == 0u);
                     if _e426 {
-                        phi_661_ = _e388[0];
+                        phi_660_ = _e388[0];
                     } else {
-                        phi_661_ = _e388[1];
+                        phi_660_ = _e388[1];
                     }
-                    let _e430 = phi_661_;
+                    let _e430 = phi_660_;
                     let _e431 = (_e364 == 2u);
                     if _e431 {
-                        phi_667_ = _e388[2];
+                        phi_666_ = _e388[2];
                     } else {
-                        phi_667_ = _e430;
+                        phi_666_ = _e430;
                     }
-                    let _e434 = phi_667_;
+                    let _e434 = phi_666_;
                     if _e426 {
-                        phi_678_ = _e398[0];
+                        phi_677_ = _e398[0];
                     } else {
-                        phi_678_ = _e398[1];
+                        phi_677_ = _e398[1];
                     }
-                    let _e438 = phi_678_;
+                    let _e438 = phi_677_;
                     if _e431 {
-                        phi_684_ = _e398[2];
+                        phi_683_ = _e398[2];
                     } else {
-                        phi_684_ = _e438;
+                        phi_683_ = _e438;
                     }
-                    let _e441 = phi_684_;
+                    let _e441 = phi_683_;
                     let _e443 = ((_e441 * _e377) * _e383);
                     let _e447 = (bitcast<f32>((bitcast<u32>(_e443) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e447 {
                         let _e451 = (bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) * 0.00000011920929f);
-                        phi_707_ = select(0.00000000000011368684f, _e451, (_e451 > 0.00000000000011368684f));
+                        phi_706_ = select(0.00000000000011368684f, _e451, (_e451 > 0.00000000000011368684f));
                     } else {
-                        phi_707_ = 0f;
+                        phi_706_ = 0f;
                     }
-                    let _e455 = phi_707_;
+                    let _e455 = phi_706_;
                     let _e456 = (_e434 + _e455);
                     let _e457 = (_e434 - _e455);
                     let _e458 = select(_e443, 0f, _e447);
                     if _e447 {
-                        phi_718_ = 38685626000000000000000000f;
+                        phi_717_ = 38685626000000000000000000f;
                     } else {
-                        phi_718_ = (1f / _e443);
+                        phi_717_ = (1f / _e443);
                     }
-                    let _e461 = phi_718_;
+                    let _e461 = phi_717_;
                     let _e462 = (_e366 == 0u);
                     if _e462 {
-                        phi_727_ = _e388[0];
+                        phi_726_ = _e388[0];
                     } else {
-                        phi_727_ = _e388[1];
+                        phi_726_ = _e388[1];
                     }
-                    let _e466 = phi_727_;
+                    let _e466 = phi_726_;
                     let _e467 = (_e366 == 2u);
                     if _e467 {
-                        phi_733_ = _e388[2];
+                        phi_732_ = _e388[2];
                     } else {
-                        phi_733_ = _e466;
+                        phi_732_ = _e466;
                     }
-                    let _e470 = phi_733_;
+                    let _e470 = phi_732_;
                     if _e462 {
-                        phi_744_ = _e398[0];
+                        phi_743_ = _e398[0];
                     } else {
-                        phi_744_ = _e398[1];
+                        phi_743_ = _e398[1];
                     }
-                    let _e474 = phi_744_;
+                    let _e474 = phi_743_;
                     if _e467 {
-                        phi_750_ = _e398[2];
+                        phi_749_ = _e398[2];
                     } else {
-                        phi_750_ = _e474;
+                        phi_749_ = _e474;
                     }
-                    let _e477 = phi_750_;
+                    let _e477 = phi_749_;
                     let _e479 = ((_e477 * _e377) * _e383);
                     let _e483 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) < 0.00000000000000000086736174f);
                     if _e483 {
                         let _e487 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) * 0.00000011920929f);
-                        phi_773_ = select(0.00000000000011368684f, _e487, (_e487 > 0.00000000000011368684f));
+                        phi_772_ = select(0.00000000000011368684f, _e487, (_e487 > 0.00000000000011368684f));
                     } else {
-                        phi_773_ = 0f;
+                        phi_772_ = 0f;
                     }
-                    let _e491 = phi_773_;
+                    let _e491 = phi_772_;
                     let _e492 = (_e470 + _e491);
                     let _e493 = (_e470 - _e491);
                     let _e494 = select(_e479, 0f, _e483);
                     if _e483 {
-                        phi_784_ = 38685626000000000000000000f;
+                        phi_783_ = 38685626000000000000000000f;
                     } else {
-                        phi_784_ = (1f / _e479);
+                        phi_783_ = (1f / _e479);
                     }
-                    let _e497 = phi_784_;
+                    let _e497 = phi_783_;
                     let _e500 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
                     let _e503 = bitcast<f32>((bitcast<u32>(_e434) & 2147483647u));
                     let _e505 = select(_e503, _e500, (_e500 > _e503));
@@ -558,14 +558,14 @@ fn function_() {
                         let _e530 = select(340282350000000000000000000000000000000f, _e528, (_e528 < 340282350000000000000000000000000000000f));
                         let _e535 = (((_e321 * _e520) * _e520) * _e527);
                         let _e537 = select(340282350000000000000000000000000000000f, _e535, (_e535 < 340282350000000000000000000000000000000f));
-                        phi_884_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
-                        phi_885_ = select(-340282350000000000000000000000000000000f, _e530, (_e530 > -340282350000000000000000000000000000000f));
+                        phi_883_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
+                        phi_884_ = select(-340282350000000000000000000000000000000f, _e530, (_e530 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_884_ = 0f;
-                        phi_885_ = 1f;
+                        phi_883_ = 0f;
+                        phi_884_ = 1f;
                     }
-                    let _e541 = phi_884_;
-                    let _e543 = phi_885_;
+                    let _e541 = phi_883_;
+                    let _e543 = phi_884_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -610,1175 +610,1178 @@ fn function_() {
                         break;
                     }
                     let _e575 = local[_e559];
-                    phi_4140_ = false;
-                    phi_974_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
-                    phi_977_ = type_60(type_33(vec4<f32>((f32(_e550) * _e162), (f32(_e556) * _e162), (f32(_e562) * _e162), 0f), vec4<f32>((f32(_e567) * _e162), (f32(_e571) * _e162), (f32(_e575) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                    phi_979_ = ((3u * _e103) + 1u);
-                    phi_981_ = (_e543 <= _e541);
-                    phi_983_ = 0u;
+                    phi_3997_ = false;
+                    phi_973_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
+                    phi_976_ = type_60(type_33(vec4<f32>((f32(_e550) * _e162), (f32(_e556) * _e162), (f32(_e562) * _e162), 0f), vec4<f32>((f32(_e567) * _e162), (f32(_e571) * _e162), (f32(_e575) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
+                    phi_978_ = ((3u * _e103) + 1u);
+                    phi_980_ = (_e543 <= _e541);
+                    phi_982_ = 0u;
                     loop {
-                        let _e585 = phi_4140_;
-                        let _e587 = phi_974_;
-                        let _e589 = phi_977_;
-                        let _e591 = phi_979_;
-                        let _e593 = phi_981_;
-                        let _e595 = phi_983_;
+                        let _e585 = phi_3997_;
+                        let _e587 = phi_973_;
+                        let _e589 = phi_976_;
+                        let _e591 = phi_978_;
+                        let _e593 = phi_980_;
+                        let _e595 = phi_982_;
                         local_13 = _e587;
                         if _e593 {
-                            phi_994_ = true;
+                            phi_993_ = true;
                         } else {
-                            phi_994_ = (_e595 > 0u);
+                            phi_993_ = (_e595 > 0u);
                         }
-                        let _e598 = phi_994_;
+                        let _e598 = phi_993_;
                         if _e598 {
                             let _e599 = (_e591 > 0u);
                             if _e599 {
                                 if _e593 {
-                                    phi_1080_ = _e589;
-                                    phi_1081_ = _e593;
-                                    phi_1082_ = _e595;
+                                    phi_1079_ = _e589;
+                                    phi_1080_ = _e593;
+                                    phi_1081_ = _e595;
                                 } else {
                                     let _e600 = (_e595 - 1u);
                                     let _e601 = (_e600 % 128u);
                                     let _e602 = (_e601 < 128u);
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e604 = local_7[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e606 = local_6[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e608 = local_5[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e610 = local_4[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e612 = local_3[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e614 = local_2[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e619 = local_8[_e601];
                                     if _e602 {
                                     } else {
-                                        phi_4278_ = true;
+                                        phi_4135_ = true;
                                         break;
                                     }
                                     let _e622 = local_9[_e601];
-                                    phi_1080_ = type_60(type_33(vec4<f32>(_e604, _e606, _e608, 0f), vec4<f32>(_e610, _e612, _e614, 0f)), _e619);
-                                    phi_1081_ = (_e622 <= _e587.member_1);
-                                    phi_1082_ = _e600;
+                                    phi_1079_ = type_60(type_33(vec4<f32>(_e604, _e606, _e608, 0f), vec4<f32>(_e610, _e612, _e614, 0f)), _e619);
+                                    phi_1080_ = (_e622 <= _e587.member_1);
+                                    phi_1081_ = _e600;
                                 }
-                                let _e626 = phi_1080_;
-                                let _e628 = phi_1081_;
-                                let _e630 = phi_1082_;
+                                let _e626 = phi_1079_;
+                                let _e628 = phi_1080_;
+                                let _e630 = phi_1081_;
                                 if _e628 {
                                     let _e635 = (_e626.member_1 & 268435455u);
                                     if ((_e626.member_1 & 2147483648u) != 0u) {
-                                        phi_4137_ = _e585;
-                                        phi_1101_ = _e587;
-                                        phi_1104_ = type_8(0u, ((_e626.member_1 >> bitcast<u32>(28u)) & 7u));
+                                        phi_3994_ = _e585;
+                                        phi_1100_ = _e587;
+                                        phi_1103_ = type_8(0u, ((_e626.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1116 = phi_4137_;
-                                            let _e1118 = phi_1101_;
-                                            let _e1120 = phi_1104_;
-                                            local_14 = _e1118;
-                                            if (_e1120.member < _e1120.member_1) {
-                                                phi_1105_ = type_8((_e1120.member + 1u), _e1120.member_1);
-                                                phi_1127_ = type_8(1u, _e1120.member);
+                                            let _e1113 = phi_3994_;
+                                            let _e1115 = phi_1100_;
+                                            let _e1117 = phi_1103_;
+                                            local_14 = _e1115;
+                                            if (_e1117.member < _e1117.member_1) {
+                                                phi_1104_ = type_8((_e1117.member + 1u), _e1117.member_1);
+                                                phi_1126_ = type_8(1u, _e1117.member);
                                             } else {
-                                                phi_1105_ = _e1120;
-                                                phi_1127_ = type_8(0u, type_8().member_1);
+                                                phi_1104_ = _e1117;
+                                                phi_1126_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1133 = phi_1105_;
-                                            let _e1135 = phi_1127_;
-                                            let _e1139 = (bitcast<i32>(_e1135.member) != 0i);
-                                            if _e1139 {
-                                                let _e1144 = (_e626.member.member_1.x - _e626.member.member.x);
-                                                let _e1147 = (_e626.member.member_1.y - _e626.member.member.y);
-                                                let _e1150 = (_e626.member.member_1.z - _e626.member.member.z);
-                                                let _e1152 = select(_e1147, _e1144, (_e1144 > _e1147));
-                                                let _e1154 = select(_e1150, _e1152, (_e1152 > _e1150));
-                                                let _e1156 = (_e1154 < (1024f * _e162));
-                                                if _e1156 {
-                                                    phi_1168_ = 0u;
+                                            let _e1130 = phi_1104_;
+                                            let _e1132 = phi_1126_;
+                                            let _e1136 = (bitcast<i32>(_e1132.member) != 0i);
+                                            if _e1136 {
+                                                let _e1141 = (_e626.member.member_1.x - _e626.member.member.x);
+                                                let _e1144 = (_e626.member.member_1.y - _e626.member.member.y);
+                                                let _e1147 = (_e626.member.member_1.z - _e626.member.member.z);
+                                                let _e1149 = select(_e1144, _e1141, (_e1141 > _e1144));
+                                                let _e1151 = select(_e1147, _e1149, (_e1149 > _e1147));
+                                                let _e1153 = (_e1151 < (1024f * _e162));
+                                                if _e1153 {
+                                                    phi_1167_ = 0u;
                                                 } else {
-                                                    phi_1168_ = select(2u, 1u, (_e1154 < (2097152f * _e162)));
+                                                    phi_1167_ = select(2u, 1u, (_e1151 < (2097152f * _e162)));
                                                 }
-                                                let _e1161 = phi_1168_;
-                                                switch bitcast<i32>(_e1161) {
+                                                let _e1158 = phi_1167_;
+                                                switch bitcast<i32>(_e1158) {
                                                     case 0: {
-                                                        phi_1174_ = 1u;
+                                                        phi_1173_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1174_ = 2u;
+                                                        phi_1173_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1174_ = 3u;
+                                                        phi_1173_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1174_ = u32();
+                                                        phi_1173_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1164 = phi_1174_;
-                                                switch bitcast<i32>(_e1161) {
+                                                let _e1161 = phi_1173_;
+                                                switch bitcast<i32>(_e1158) {
                                                     case 0: {
-                                                        phi_1184_ = 1u;
+                                                        phi_1183_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1184_ = 2u;
+                                                        phi_1183_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1184_ = 3u;
+                                                        phi_1183_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1184_ = u32();
+                                                        phi_1183_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1171 = phi_1184_;
-                                                let _e1173 = ((_e635 + (_e1135.member_1 * ((3u * _e1164) + 1u))) + (3u * _e1171));
-                                                let _e1174 = (_e1173 < _e106);
-                                                if _e1174 {
-                                                    if _e1174 {
+                                                let _e1168 = phi_1183_;
+                                                let _e1170 = ((_e635 + (_e1132.member_1 * ((3u * _e1161) + 1u))) + (3u * _e1168));
+                                                let _e1171 = (_e1170 < _e106);
+                                                if _e1171 {
+                                                    if _e1171 {
                                                     } else {
-                                                        phi_4199_ = true;
+                                                        phi_4056_ = true;
                                                         break;
                                                     }
-                                                    let _e1176 = global_10.member[_e1173];
-                                                    phi_1200_ = _e1176;
+                                                    let _e1173 = global_10.member[_e1170];
+                                                    phi_1199_ = _e1173;
                                                 } else {
-                                                    phi_1200_ = 4294967295u;
+                                                    phi_1199_ = 4294967295u;
                                                 }
-                                                let _e1178 = phi_1200_;
+                                                let _e1175 = phi_1199_;
                                                 local_10 = array<u32, 3>(_e365, _e364, _e366);
-                                                if _e1156 {
-                                                    phi_1237_ = 0u;
+                                                if _e1153 {
+                                                    phi_1236_ = 0u;
                                                 } else {
-                                                    phi_1237_ = select(2u, 1u, (_e1154 < (2097152f * _e162)));
+                                                    phi_1236_ = select(2u, 1u, (_e1151 < (2097152f * _e162)));
                                                 }
-                                                let _e1184 = phi_1237_;
-                                                switch bitcast<i32>(_e1184) {
+                                                let _e1181 = phi_1236_;
+                                                switch bitcast<i32>(_e1181) {
                                                     case 0: {
-                                                        phi_1243_ = 1u;
+                                                        phi_1242_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1243_ = 2u;
+                                                        phi_1242_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1243_ = 3u;
+                                                        phi_1242_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1243_ = u32();
+                                                        phi_1242_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1187 = phi_1243_;
-                                                switch bitcast<i32>(_e1184) {
+                                                let _e1184 = phi_1242_;
+                                                switch bitcast<i32>(_e1181) {
                                                     case 0: {
-                                                        phi_1253_ = 1u;
+                                                        phi_1252_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1253_ = 2u;
+                                                        phi_1252_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1253_ = 3u;
+                                                        phi_1252_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1253_ = u32();
+                                                        phi_1252_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1194 = phi_1253_;
+                                                let _e1191 = phi_1252_;
                                                 local_12 = array<f32, 4>(_e626.member.member.x, _e626.member.member.y, _e626.member.member.z, _e626.member.member.w);
                                                 local_11[0u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[1u] = array<f32, 3>(0f, 0f, 0f);
                                                 local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_4122_ = _e1116;
-                                                phi_1269_ = type_8(0u, 3u);
+                                                phi_3979_ = _e1113;
+                                                phi_1268_ = type_8(0u, 3u);
                                                 loop {
-                                                    let _e1208 = phi_4122_;
-                                                    let _e1210 = phi_1269_;
-                                                    if (_e1210.member < _e1210.member_1) {
-                                                        phi_1270_ = type_8((_e1210.member + 1u), _e1210.member_1);
-                                                        phi_1293_ = type_8(1u, _e1210.member);
+                                                    let _e1205 = phi_3979_;
+                                                    let _e1207 = phi_1268_;
+                                                    if (_e1207.member < _e1207.member_1) {
+                                                        phi_1269_ = type_8((_e1207.member + 1u), _e1207.member_1);
+                                                        phi_1292_ = type_8(1u, _e1207.member);
                                                     } else {
-                                                        phi_1270_ = _e1210;
-                                                        phi_1293_ = type_8(0u, type_8().member_1);
+                                                        phi_1269_ = _e1207;
+                                                        phi_1292_ = type_8(0u, type_8().member_1);
                                                     }
-                                                    let _e1223 = phi_1270_;
-                                                    let _e1225 = phi_1293_;
-                                                    let _e1229 = (bitcast<i32>(_e1225.member) != 0i);
-                                                    if _e1229 {
-                                                        let _e1231 = ((_e635 + (_e1135.member_1 * ((3u * _e1187) + 1u))) + (_e1225.member_1 * _e1194));
-                                                        let _e1232 = (_e1231 < _e106);
-                                                        if _e1232 {
-                                                            if _e1232 {
+                                                    let _e1220 = phi_1269_;
+                                                    let _e1222 = phi_1292_;
+                                                    let _e1226 = (bitcast<i32>(_e1222.member) != 0i);
+                                                    if _e1226 {
+                                                        let _e1228 = ((_e635 + (_e1132.member_1 * ((3u * _e1184) + 1u))) + (_e1222.member_1 * _e1191));
+                                                        let _e1229 = (_e1228 < _e106);
+                                                        if _e1229 {
+                                                            if _e1229 {
                                                             } else {
-                                                                phi_4197_ = true;
+                                                                phi_4054_ = true;
                                                                 break;
                                                             }
-                                                            let _e1234 = global_10.member[_e1231];
-                                                            phi_1316_ = _e1234;
+                                                            let _e1231 = global_10.member[_e1228];
+                                                            phi_1315_ = _e1231;
                                                         } else {
-                                                            phi_1316_ = 0u;
+                                                            phi_1315_ = 0u;
                                                         }
-                                                        let _e1236 = phi_1316_;
-                                                        let _e1237 = (_e1231 + 1u);
-                                                        let _e1238 = (_e1237 < _e106);
-                                                        if _e1238 {
-                                                            if _e1238 {
+                                                        let _e1233 = phi_1315_;
+                                                        let _e1234 = (_e1228 + 1u);
+                                                        let _e1235 = (_e1234 < _e106);
+                                                        if _e1235 {
+                                                            if _e1235 {
                                                             } else {
-                                                                phi_4197_ = true;
+                                                                phi_4054_ = true;
                                                                 break;
                                                             }
-                                                            let _e1240 = global_10.member[_e1237];
-                                                            phi_1331_ = _e1240;
+                                                            let _e1237 = global_10.member[_e1234];
+                                                            phi_1330_ = _e1237;
                                                         } else {
-                                                            phi_1331_ = 0u;
+                                                            phi_1330_ = 0u;
                                                         }
-                                                        let _e1242 = phi_1331_;
-                                                        phi_1334_ = type_8(0u, 3u);
+                                                        let _e1239 = phi_1330_;
+                                                        phi_1333_ = type_8(0u, 3u);
                                                         loop {
-                                                            let _e1244 = phi_1334_;
-                                                            if (_e1244.member < _e1244.member_1) {
-                                                                phi_1335_ = type_8((_e1244.member + 1u), _e1244.member_1);
-                                                                phi_1358_ = type_8(1u, _e1244.member);
+                                                            let _e1241 = phi_1333_;
+                                                            if (_e1241.member < _e1241.member_1) {
+                                                                phi_1334_ = type_8((_e1241.member + 1u), _e1241.member_1);
+                                                                phi_1357_ = type_8(1u, _e1241.member);
                                                             } else {
-                                                                phi_1335_ = _e1244;
-                                                                phi_1358_ = type_8(0u, type_8().member_1);
+                                                                phi_1334_ = _e1241;
+                                                                phi_1357_ = type_8(0u, type_8().member_1);
                                                             }
-                                                            let _e1257 = phi_1335_;
-                                                            let _e1259 = phi_1358_;
-                                                            let _e1263 = (bitcast<i32>(_e1259.member) != 0i);
-                                                            if _e1263 {
-                                                                let _e1264 = (_e1259.member_1 < 3u);
-                                                                if _e1264 {
+                                                            let _e1254 = phi_1334_;
+                                                            let _e1256 = phi_1357_;
+                                                            let _e1260 = (bitcast<i32>(_e1256.member) != 0i);
+                                                            if _e1260 {
+                                                                let _e1261 = (_e1256.member_1 < 3u);
+                                                                if _e1261 {
                                                                 } else {
-                                                                    phi_4115_ = true;
+                                                                    phi_3972_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1266 = local_10[_e1259.member_1];
-                                                                if (_e1259.member_1 < 4u) {
+                                                                let _e1263 = local_10[_e1256.member_1];
+                                                                if (_e1256.member_1 < 4u) {
                                                                 } else {
-                                                                    phi_4115_ = true;
+                                                                    phi_3972_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1269 = local_12[_e1259.member_1];
-                                                                switch bitcast<i32>(_e1184) {
+                                                                let _e1266 = local_12[_e1256.member_1];
+                                                                switch bitcast<i32>(_e1181) {
                                                                     case 0: {
-                                                                        phi_1428_ = (_e1269 + (f32(((_e1236 >> bitcast<u32>(((10u * _e1266) & 31u))) & 1023u)) * _e162));
+                                                                        phi_1427_ = (_e1266 + (f32(((_e1233 >> bitcast<u32>(((10u * _e1263) & 31u))) & 1023u)) * _e162));
                                                                         break;
                                                                     }
                                                                     case 1: {
-                                                                        if (_e1266 == 0u) {
-                                                                            phi_1405_ = _e1236;
+                                                                        if (_e1263 == 0u) {
+                                                                            phi_1404_ = _e1233;
                                                                         } else {
-                                                                            if (_e1266 == 1u) {
-                                                                                phi_1404_ = ((_e1236 >> bitcast<u32>(21i)) | (_e1242 << bitcast<u32>(11i)));
+                                                                            if (_e1263 == 1u) {
+                                                                                phi_1403_ = ((_e1233 >> bitcast<u32>(21i)) | (_e1239 << bitcast<u32>(11i)));
                                                                             } else {
-                                                                                phi_1404_ = (_e1242 >> bitcast<u32>(10i));
+                                                                                phi_1403_ = (_e1239 >> bitcast<u32>(10i));
                                                                             }
-                                                                            let _e1290 = phi_1404_;
-                                                                            phi_1405_ = _e1290;
+                                                                            let _e1287 = phi_1403_;
+                                                                            phi_1404_ = _e1287;
                                                                         }
-                                                                        let _e1292 = phi_1405_;
-                                                                        phi_1428_ = (_e1269 + (f32((_e1292 & 2097151u)) * _e162));
+                                                                        let _e1289 = phi_1404_;
+                                                                        phi_1427_ = (_e1266 + (f32((_e1289 & 2097151u)) * _e162));
                                                                         break;
                                                                     }
                                                                     case 2: {
-                                                                        let _e1271 = (_e1231 + _e1266);
-                                                                        let _e1272 = (_e1271 < _e106);
-                                                                        if _e1272 {
-                                                                            if _e1272 {
+                                                                        let _e1268 = (_e1228 + _e1263);
+                                                                        let _e1269 = (_e1268 < _e106);
+                                                                        if _e1269 {
+                                                                            if _e1269 {
                                                                             } else {
-                                                                                phi_4115_ = true;
+                                                                                phi_3972_ = true;
                                                                                 break;
                                                                             }
-                                                                            let _e1274 = global_10.member[_e1271];
-                                                                            phi_1424_ = _e1274;
+                                                                            let _e1271 = global_10.member[_e1268];
+                                                                            phi_1423_ = _e1271;
                                                                         } else {
-                                                                            phi_1424_ = 0u;
+                                                                            phi_1423_ = 0u;
                                                                         }
-                                                                        let _e1276 = phi_1424_;
-                                                                        phi_1428_ = (f32(bitcast<i32>(_e1276)) * _e162);
+                                                                        let _e1273 = phi_1423_;
+                                                                        phi_1427_ = (f32(bitcast<i32>(_e1273)) * _e162);
                                                                         break;
                                                                     }
                                                                     default: {
-                                                                        phi_1428_ = f32();
+                                                                        phi_1427_ = f32();
                                                                         break;
                                                                     }
                                                                 }
-                                                                let _e1306 = phi_1428_;
-                                                                if (_e1225.member_1 < 3u) {
+                                                                let _e1303 = phi_1427_;
+                                                                if (_e1222.member_1 < 3u) {
                                                                 } else {
-                                                                    phi_4115_ = true;
+                                                                    phi_3972_ = true;
                                                                     break;
                                                                 }
-                                                                if _e1264 {
+                                                                if _e1261 {
                                                                 } else {
-                                                                    phi_4115_ = true;
+                                                                    phi_3972_ = true;
                                                                     break;
                                                                 }
-                                                                local_11[_e1225.member_1][_e1259.member_1] = _e1306;
+                                                                local_11[_e1222.member_1][_e1256.member_1] = _e1303;
                                                             }
                                                             continue;
                                                             continuing {
-                                                                phi_1334_ = _e1257;
-                                                                phi_4115_ = _e1208;
-                                                                break if !(_e1263);
+                                                                phi_1333_ = _e1254;
+                                                                phi_3972_ = _e1205;
+                                                                break if !(_e1260);
                                                             }
                                                         }
-                                                        let _e1312 = phi_4115_;
-                                                        phi_4197_ = _e1312;
-                                                        if _e1312 {
+                                                        let _e1309 = phi_3972_;
+                                                        phi_4054_ = _e1309;
+                                                        if _e1309 {
                                                             break;
                                                         }
-                                                        phi_4198_ = _e1312;
+                                                        phi_4055_ = _e1309;
                                                     } else {
-                                                        phi_4198_ = _e1208;
+                                                        phi_4055_ = _e1205;
                                                     }
-                                                    let _e1314 = phi_4198_;
+                                                    let _e1311 = phi_4055_;
                                                     continue;
                                                     continuing {
-                                                        phi_4122_ = _e1314;
-                                                        phi_1269_ = _e1223;
-                                                        phi_4197_ = _e1314;
-                                                        break if !(_e1229);
+                                                        phi_3979_ = _e1311;
+                                                        phi_1268_ = _e1220;
+                                                        phi_4054_ = _e1311;
+                                                        break if !(_e1226);
                                                     }
                                                 }
-                                                let _e1317 = phi_4197_;
-                                                phi_4199_ = _e1317;
-                                                if _e1317 {
+                                                let _e1314 = phi_4054_;
+                                                phi_4056_ = _e1314;
+                                                if _e1314 {
                                                     break;
                                                 }
-                                                let _e1318 = local_11;
-                                                let _e1334 = (_e1318[0][2] - _e470);
-                                                let _e1337 = (((_e1318[0][0] - _e397) * _e494) - (_e1334 * _e422));
-                                                let _e1340 = (((_e1318[0][1] - _e434) * _e494) - (_e1334 * _e458));
-                                                let _e1343 = (_e1318[1][2] - _e470);
-                                                let _e1346 = (((_e1318[1][0] - _e397) * _e494) - (_e1343 * _e422));
-                                                let _e1349 = (((_e1318[1][1] - _e434) * _e494) - (_e1343 * _e458));
-                                                let _e1352 = (_e1318[2][2] - _e470);
-                                                let _e1355 = (((_e1318[2][0] - _e397) * _e494) - (_e1352 * _e422));
-                                                let _e1358 = (((_e1318[2][1] - _e434) * _e494) - (_e1352 * _e458));
-                                                let _e1359 = (_e1355 * _e1349);
-                                                let _e1360 = (_e1358 * _e1346);
-                                                let _e1361 = (_e1337 * _e1358);
-                                                let _e1362 = (_e1340 * _e1355);
-                                                let _e1363 = (_e1346 * _e1340);
-                                                let _e1364 = (_e1349 * _e1337);
-                                                let _e1369 = (((_e1359 >= _e1360) && (_e1361 >= _e1362)) && (_e1363 >= _e1364));
-                                                if (_e1369 || (((_e1359 <= _e1360) && (_e1361 <= _e1362)) && (_e1363 <= _e1364))) {
-                                                    let _e1376 = select(-1f, 1f, _e1369);
-                                                    let _e1378 = ((_e1359 - _e1360) * _e1376);
-                                                    let _e1380 = select(0f, _e1378, (_e1378 > 0f));
-                                                    let _e1382 = ((_e1361 - _e1362) * _e1376);
-                                                    let _e1384 = select(0f, _e1382, (_e1382 > 0f));
-                                                    let _e1386 = ((_e1363 - _e1364) * _e1376);
-                                                    let _e1388 = select(0f, _e1386, (_e1386 > 0f));
-                                                    let _e1390 = ((_e1380 + _e1384) + _e1388);
-                                                    if (_e1390 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2023_ = type_21();
-                                                        phi_2024_ = true;
+                                                let _e1315 = local_11;
+                                                let _e1331 = (_e1315[0][2] - _e470);
+                                                let _e1334 = (((_e1315[0][0] - _e397) * _e494) - (_e1331 * _e422));
+                                                let _e1337 = (((_e1315[0][1] - _e434) * _e494) - (_e1331 * _e458));
+                                                let _e1340 = (_e1315[1][2] - _e470);
+                                                let _e1343 = (((_e1315[1][0] - _e397) * _e494) - (_e1340 * _e422));
+                                                let _e1346 = (((_e1315[1][1] - _e434) * _e494) - (_e1340 * _e458));
+                                                let _e1349 = (_e1315[2][2] - _e470);
+                                                let _e1352 = (((_e1315[2][0] - _e397) * _e494) - (_e1349 * _e422));
+                                                let _e1355 = (((_e1315[2][1] - _e434) * _e494) - (_e1349 * _e458));
+                                                let _e1356 = (_e1352 * _e1346);
+                                                let _e1357 = (_e1355 * _e1343);
+                                                let _e1358 = (_e1334 * _e1355);
+                                                let _e1359 = (_e1337 * _e1352);
+                                                let _e1360 = (_e1343 * _e1337);
+                                                let _e1361 = (_e1346 * _e1334);
+                                                let _e1366 = (((_e1356 >= _e1357) && (_e1358 >= _e1359)) && (_e1360 >= _e1361));
+                                                if (_e1366 || (((_e1356 <= _e1357) && (_e1358 <= _e1359)) && (_e1360 <= _e1361))) {
+                                                    let _e1373 = select(-1f, 1f, _e1366);
+                                                    let _e1375 = ((_e1356 - _e1357) * _e1373);
+                                                    let _e1377 = select(0f, _e1375, (_e1375 > 0f));
+                                                    let _e1379 = ((_e1358 - _e1359) * _e1373);
+                                                    let _e1381 = select(0f, _e1379, (_e1379 > 0f));
+                                                    let _e1383 = ((_e1360 - _e1361) * _e1373);
+                                                    let _e1385 = select(0f, _e1383, (_e1383 > 0f));
+                                                    let _e1387 = ((_e1377 + _e1381) + _e1385);
+                                                    if (_e1387 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2022_ = type_21();
+                                                        phi_2023_ = true;
                                                     } else {
-                                                        let _e1393 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] < _e1318[1][0]));
-                                                        let _e1397 = select(_e1318[1][0], _e1318[0][0], (_e1318[0][0] > _e1318[1][0]));
-                                                        let _e1401 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] < _e1318[1][1]));
-                                                        let _e1405 = select(_e1318[1][1], _e1318[0][1], (_e1318[0][1] > _e1318[1][1]));
-                                                        let _e1409 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] < _e1318[1][2]));
-                                                        let _e1413 = select(_e1318[1][2], _e1318[0][2], (_e1318[0][2] > _e1318[1][2]));
-                                                        let _e1418 = ((select(_e1318[2][0], _e1393, (_e1393 < _e1318[2][0])) - _e420) * _e425);
-                                                        let _e1419 = ((select(_e1318[2][0], _e1397, (_e1397 > _e1318[2][0])) - _e421) * _e425);
-                                                        let _e1422 = ((select(_e1318[2][1], _e1401, (_e1401 < _e1318[2][1])) - _e456) * _e461);
-                                                        let _e1423 = ((select(_e1318[2][1], _e1405, (_e1405 > _e1318[2][1])) - _e457) * _e461);
-                                                        let _e1426 = ((select(_e1318[2][2], _e1409, (_e1409 < _e1318[2][2])) - _e492) * _e497);
-                                                        let _e1427 = ((select(_e1318[2][2], _e1413, (_e1413 > _e1318[2][2])) - _e493) * _e497);
-                                                        let _e1429 = select(_e1427, _e1426, (_e1426 < _e1427));
-                                                        let _e1431 = select(_e1427, _e1426, (_e1426 > _e1427));
-                                                        let _e1433 = select(_e1419, _e1418, (_e1418 < _e1419));
-                                                        let _e1435 = select(_e1423, _e1422, (_e1422 < _e1423));
-                                                        let _e1437 = select(_e1435, _e1433, (_e1433 > _e1435));
-                                                        let _e1439 = select(_e1429, _e1437, (_e1437 > _e1429));
-                                                        let _e1441 = select(_e1419, _e1418, (_e1418 > _e1419));
-                                                        let _e1443 = select(_e1423, _e1422, (_e1422 > _e1423));
-                                                        let _e1445 = select(_e1443, _e1441, (_e1441 < _e1443));
-                                                        let _e1447 = select(_e1431, _e1445, (_e1445 < _e1431));
-                                                        let _e1448 = -(_e1429);
-                                                        let _e1454 = select(_e543, _e1439, (_e1439 > _e543));
-                                                        if (_e1454 > (_e1447 + (select(_e1448, _e1431, (_e1431 > _e1448)) * 0.0000019073523f))) {
-                                                            phi_2018_ = type_21();
-                                                            phi_2019_ = true;
+                                                        let _e1390 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] < _e1315[1][0]));
+                                                        let _e1394 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] > _e1315[1][0]));
+                                                        let _e1398 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] < _e1315[1][1]));
+                                                        let _e1402 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] > _e1315[1][1]));
+                                                        let _e1406 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] < _e1315[1][2]));
+                                                        let _e1410 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] > _e1315[1][2]));
+                                                        let _e1415 = ((select(_e1315[2][0], _e1390, (_e1390 < _e1315[2][0])) - _e420) * _e425);
+                                                        let _e1416 = ((select(_e1315[2][0], _e1394, (_e1394 > _e1315[2][0])) - _e421) * _e425);
+                                                        let _e1419 = ((select(_e1315[2][1], _e1398, (_e1398 < _e1315[2][1])) - _e456) * _e461);
+                                                        let _e1420 = ((select(_e1315[2][1], _e1402, (_e1402 > _e1315[2][1])) - _e457) * _e461);
+                                                        let _e1423 = ((select(_e1315[2][2], _e1406, (_e1406 < _e1315[2][2])) - _e492) * _e497);
+                                                        let _e1424 = ((select(_e1315[2][2], _e1410, (_e1410 > _e1315[2][2])) - _e493) * _e497);
+                                                        let _e1426 = select(_e1424, _e1423, (_e1423 < _e1424));
+                                                        let _e1428 = select(_e1424, _e1423, (_e1423 > _e1424));
+                                                        let _e1430 = select(_e1416, _e1415, (_e1415 < _e1416));
+                                                        let _e1432 = select(_e1420, _e1419, (_e1419 < _e1420));
+                                                        let _e1434 = select(_e1432, _e1430, (_e1430 > _e1432));
+                                                        let _e1436 = select(_e1426, _e1434, (_e1434 > _e1426));
+                                                        let _e1438 = select(_e1416, _e1415, (_e1415 > _e1416));
+                                                        let _e1440 = select(_e1420, _e1419, (_e1419 > _e1420));
+                                                        let _e1442 = select(_e1440, _e1438, (_e1438 < _e1440));
+                                                        let _e1444 = select(_e1428, _e1442, (_e1442 < _e1428));
+                                                        let _e1445 = -(_e1426);
+                                                        let _e1451 = select(_e543, _e1436, (_e1436 > _e543));
+                                                        if (_e1451 > (_e1444 + (select(_e1445, _e1428, (_e1428 > _e1445)) * 0.0000019073523f))) {
+                                                            phi_2017_ = type_21();
+                                                            phi_2018_ = true;
                                                         } else {
-                                                            let _e1456 = (_e1454 > _e1118.member_1);
-                                                            if _e1456 {
-                                                                phi_2017_ = type_21();
+                                                            let _e1453 = (_e1451 > _e1115.member_1);
+                                                            if _e1453 {
+                                                                phi_2016_ = type_21();
                                                             } else {
-                                                                let _e1460 = (_e1318[1][0] - _e1318[0][0]);
-                                                                let _e1461 = (_e1318[1][1] - _e1318[0][1]);
-                                                                let _e1462 = (_e1318[1][2] - _e1318[0][2]);
-                                                                let _e1463 = vec3<f32>(_e1460, _e1461, _e1462);
-                                                                let _e1464 = (_e1318[2][0] - _e1318[1][0]);
-                                                                let _e1465 = (_e1318[2][1] - _e1318[1][1]);
-                                                                let _e1466 = (_e1318[2][2] - _e1318[1][2]);
-                                                                let _e1467 = vec3<f32>(_e1464, _e1465, _e1466);
-                                                                let _e1468 = (_e1318[0][0] - _e1318[2][0]);
-                                                                let _e1469 = (_e1318[0][1] - _e1318[2][1]);
-                                                                let _e1470 = (_e1318[0][2] - _e1318[2][2]);
-                                                                let _e1471 = vec3<f32>(_e1468, _e1469, _e1470);
-                                                                let _e1474 = bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u));
-                                                                let _e1477 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
-                                                                let _e1479 = select(_e1477, _e1474, (_e1474 > _e1477));
-                                                                let _e1482 = bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u));
-                                                                let _e1484 = select(_e1482, _e1479, (_e1479 > _e1482));
-                                                                let _e1487 = bitcast<f32>((bitcast<u32>(_e1464) & 2147483647u));
-                                                                let _e1490 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
-                                                                let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
-                                                                let _e1495 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
-                                                                let _e1497 = select(_e1495, _e1492, (_e1492 > _e1495));
-                                                                let _e1500 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
-                                                                let _e1503 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                let _e1508 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
-                                                                let _e1510 = select(_e1508, _e1505, (_e1505 > _e1508));
-                                                                let _e1512 = select(_e1497, _e1484, (_e1484 > _e1497));
-                                                                let _e1514 = select(_e1510, _e1512, (_e1512 > _e1510));
-                                                                if (_e1484 == _e1514) {
-                                                                    phi_1928_ = _e1467;
-                                                                    phi_1929_ = _e1471;
+                                                                let _e1457 = (_e1315[1][0] - _e1315[0][0]);
+                                                                let _e1458 = (_e1315[1][1] - _e1315[0][1]);
+                                                                let _e1459 = (_e1315[1][2] - _e1315[0][2]);
+                                                                let _e1460 = vec3<f32>(_e1457, _e1458, _e1459);
+                                                                let _e1461 = (_e1315[2][0] - _e1315[1][0]);
+                                                                let _e1462 = (_e1315[2][1] - _e1315[1][1]);
+                                                                let _e1463 = (_e1315[2][2] - _e1315[1][2]);
+                                                                let _e1464 = vec3<f32>(_e1461, _e1462, _e1463);
+                                                                let _e1465 = (_e1315[0][0] - _e1315[2][0]);
+                                                                let _e1466 = (_e1315[0][1] - _e1315[2][1]);
+                                                                let _e1467 = (_e1315[0][2] - _e1315[2][2]);
+                                                                let _e1468 = vec3<f32>(_e1465, _e1466, _e1467);
+                                                                let _e1471 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
+                                                                let _e1474 = bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u));
+                                                                let _e1476 = select(_e1474, _e1471, (_e1471 > _e1474));
+                                                                let _e1479 = bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u));
+                                                                let _e1481 = select(_e1479, _e1476, (_e1476 > _e1479));
+                                                                let _e1484 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
+                                                                let _e1487 = bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u));
+                                                                let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
+                                                                let _e1492 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
+                                                                let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
+                                                                let _e1497 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
+                                                                let _e1500 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
+                                                                let _e1502 = select(_e1500, _e1497, (_e1497 > _e1500));
+                                                                let _e1505 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
+                                                                let _e1507 = select(_e1505, _e1502, (_e1502 > _e1505));
+                                                                let _e1509 = select(_e1494, _e1481, (_e1481 > _e1494));
+                                                                let _e1511 = select(_e1507, _e1509, (_e1509 > _e1507));
+                                                                if (_e1481 == _e1511) {
+                                                                    phi_1927_ = _e1464;
+                                                                    phi_1928_ = _e1468;
                                                                 } else {
-                                                                    let _e1517 = vec3((_e1497 == _e1514));
-                                                                    phi_1928_ = select(_e1463, _e1471, _e1517);
-                                                                    phi_1929_ = select(_e1467, _e1463, _e1517);
+                                                                    let _e1514 = vec3((_e1494 == _e1511));
+                                                                    phi_1927_ = select(_e1460, _e1468, _e1514);
+                                                                    phi_1928_ = select(_e1464, _e1460, _e1514);
                                                                 }
-                                                                let _e1521 = phi_1928_;
-                                                                let _e1523 = phi_1929_;
-                                                                let _e1530 = ((_e1521.y * _e1523.z) - (_e1523.y * _e1521.z));
-                                                                let _e1535 = ((_e1521.z * _e1523.x) - (_e1523.z * _e1521.x));
-                                                                let _e1538 = ((_e1521.x * _e1523.y) - (_e1523.x * _e1521.y));
-                                                                if (_e1380 >= _e1384) {
-                                                                    phi_1960_ = select(true, false, (_e1380 >= _e1388));
+                                                                let _e1518 = phi_1927_;
+                                                                let _e1520 = phi_1928_;
+                                                                let _e1527 = ((_e1518.y * _e1520.z) - (_e1520.y * _e1518.z));
+                                                                let _e1532 = ((_e1518.z * _e1520.x) - (_e1520.z * _e1518.x));
+                                                                let _e1535 = ((_e1518.x * _e1520.y) - (_e1520.x * _e1518.y));
+                                                                if (_e1377 >= _e1381) {
+                                                                    phi_1959_ = select(true, false, (_e1377 >= _e1385));
                                                                 } else {
-                                                                    phi_1960_ = true;
+                                                                    phi_1959_ = true;
                                                                 }
-                                                                let _e1543 = phi_1960_;
-                                                                if _e1543 {
-                                                                    phi_1969_ = select(vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]), vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]), vec3((_e1384 >= _e1388)));
+                                                                let _e1540 = phi_1959_;
+                                                                if _e1540 {
+                                                                    phi_1968_ = select(vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]), vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]), vec3((_e1381 >= _e1385)));
                                                                 } else {
-                                                                    phi_1969_ = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
+                                                                    phi_1968_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
                                                                 }
-                                                                let _e1548 = phi_1969_;
-                                                                let _e1565 = ((((_e1530 * (_e1548.x - _e397)) + (_e1535 * (_e1548.y - _e434))) + (_e1538 * (_e1548.z - _e470))) / (((_e1530 * _e422) + (_e1535 * _e458)) + (_e1538 * _e494)));
-                                                                let _e1567 = select(_e1447, _e1565, (_e1565 < _e1447));
-                                                                let _e1569 = select(_e1439, _e1567, (_e1567 > _e1439));
-                                                                if (_e1569 >= _e543) {
-                                                                    let _e1571 = (_e1569 <= _e1118.member_1);
-                                                                    if _e1571 {
-                                                                        let _e1572 = (1f / _e1390);
-                                                                        phi_2009_ = type_21(_e1569, (_e1384 * _e1572), (_e1388 * _e1572), _e1178);
+                                                                let _e1545 = phi_1968_;
+                                                                let _e1562 = ((((_e1527 * (_e1545.x - _e397)) + (_e1532 * (_e1545.y - _e434))) + (_e1535 * (_e1545.z - _e470))) / (((_e1527 * _e422) + (_e1532 * _e458)) + (_e1535 * _e494)));
+                                                                let _e1564 = select(_e1444, _e1562, (_e1562 < _e1444));
+                                                                let _e1566 = select(_e1436, _e1564, (_e1564 > _e1436));
+                                                                if (_e1566 >= _e543) {
+                                                                    let _e1568 = (_e1566 <= _e1115.member_1);
+                                                                    if _e1568 {
+                                                                        let _e1569 = (1f / _e1387);
+                                                                        phi_2008_ = type_21(_e1566, (_e1381 * _e1569), (_e1385 * _e1569), _e1175);
                                                                     } else {
-                                                                        phi_2009_ = type_21();
+                                                                        phi_2008_ = type_21();
                                                                     }
-                                                                    let _e1577 = phi_2009_;
-                                                                    phi_2011_ = _e1577;
-                                                                    phi_2012_ = select(true, false, _e1571);
+                                                                    let _e1574 = phi_2008_;
+                                                                    phi_2010_ = _e1574;
+                                                                    phi_2011_ = select(true, false, _e1568);
                                                                 } else {
-                                                                    phi_2011_ = type_21();
-                                                                    phi_2012_ = true;
+                                                                    phi_2010_ = type_21();
+                                                                    phi_2011_ = true;
                                                                 }
-                                                                let _e1580 = phi_2011_;
-                                                                let _e1582 = phi_2012_;
-                                                                if _e1582 {
-                                                                    phi_2016_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1577 = phi_2010_;
+                                                                let _e1579 = phi_2011_;
+                                                                if _e1579 {
+                                                                    phi_2015_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2016_ = _e1580;
+                                                                    phi_2015_ = _e1577;
                                                                 }
-                                                                let _e1584 = phi_2016_;
-                                                                phi_2017_ = _e1584;
+                                                                let _e1581 = phi_2015_;
+                                                                phi_2016_ = _e1581;
                                                             }
-                                                            let _e1586 = phi_2017_;
-                                                            phi_2018_ = _e1586;
-                                                            phi_2019_ = _e1456;
+                                                            let _e1583 = phi_2016_;
+                                                            phi_2017_ = _e1583;
+                                                            phi_2018_ = _e1453;
                                                         }
-                                                        let _e1588 = phi_2018_;
-                                                        let _e1590 = phi_2019_;
-                                                        phi_2023_ = _e1588;
-                                                        phi_2024_ = _e1590;
+                                                        let _e1585 = phi_2017_;
+                                                        let _e1587 = phi_2018_;
+                                                        phi_2022_ = _e1585;
+                                                        phi_2023_ = _e1587;
                                                     }
-                                                    let _e1592 = phi_2023_;
-                                                    let _e1594 = phi_2024_;
-                                                    phi_2028_ = _e1592;
-                                                    phi_2029_ = _e1594;
+                                                    let _e1589 = phi_2022_;
+                                                    let _e1591 = phi_2023_;
+                                                    phi_2027_ = _e1589;
+                                                    phi_2028_ = _e1591;
                                                 } else {
-                                                    phi_2028_ = type_21();
-                                                    phi_2029_ = true;
+                                                    phi_2027_ = type_21();
+                                                    phi_2028_ = true;
                                                 }
-                                                let _e1596 = phi_2028_;
-                                                let _e1598 = phi_2029_;
-                                                if _e1598 {
-                                                    phi_2033_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1593 = phi_2027_;
+                                                let _e1595 = phi_2028_;
+                                                if _e1595 {
+                                                    phi_2032_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2033_ = _e1596;
+                                                    phi_2032_ = _e1593;
                                                 }
-                                                let _e1600 = phi_2033_;
-                                                if (_e1600.member_3 != 4294967295u) {
-                                                    if (_e1178 == _e171) {
-                                                        phi_2362_ = false;
+                                                let _e1597 = phi_2032_;
+                                                if (_e1597.member_3 != 4294967295u) {
+                                                    if (_e1175 == _e171) {
+                                                        phi_2361_ = false;
                                                     } else {
-                                                        let _e1604 = (_e1178 < arrayLength((&global_4.member)));
-                                                        if _e1604 {
-                                                            if _e1604 {
+                                                        let _e1601 = (_e1175 < arrayLength((&global_4.member)));
+                                                        if _e1601 {
+                                                            if _e1601 {
                                                             } else {
-                                                                phi_4199_ = true;
+                                                                phi_4056_ = true;
                                                                 break;
                                                             }
-                                                            let _e1606 = global_4.member[_e1178];
-                                                            phi_2056_ = _e1606;
+                                                            let _e1603 = global_4.member[_e1175];
+                                                            phi_2055_ = _e1603;
                                                         } else {
-                                                            phi_2056_ = 4294967295u;
+                                                            phi_2055_ = 4294967295u;
                                                         }
-                                                        let _e1608 = phi_2056_;
-                                                        let _e1609 = (_e1608 < arrayLength((&global_5.member)));
-                                                        if _e1609 {
-                                                            if _e1609 {
+                                                        let _e1605 = phi_2055_;
+                                                        let _e1606 = (_e1605 < arrayLength((&global_5.member)));
+                                                        if _e1606 {
+                                                            if _e1606 {
                                                             } else {
-                                                                phi_4199_ = true;
+                                                                phi_4056_ = true;
                                                                 break;
                                                             }
-                                                            let _e1611 = global_5.member[_e1608];
-                                                            phi_2070_ = _e1611;
+                                                            let _e1608 = global_5.member[_e1605];
+                                                            phi_2069_ = _e1608;
                                                         } else {
-                                                            phi_2070_ = 0i;
+                                                            phi_2069_ = 0i;
                                                         }
-                                                        let _e1613 = phi_2070_;
-                                                        let _e1614 = (_e1613 == 0i);
-                                                        if _e1614 {
-                                                            phi_2361_ = true;
+                                                        let _e1610 = phi_2069_;
+                                                        let _e1611 = (_e1610 == 0i);
+                                                        if _e1611 {
+                                                            phi_2360_ = true;
                                                         } else {
                                                             if _e389 {
-                                                                phi_2091_ = vec3<f32>(_e1318[0][0], _e1318[0][1], _e1318[0][2]);
+                                                                phi_2090_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2090_ = vec3<f32>(_e1318[0][2], _e1318[0][0], _e1318[0][1]);
+                                                                    phi_2089_ = vec3<f32>(_e1315[0][2], _e1315[0][0], _e1315[0][1]);
                                                                 } else {
-                                                                    phi_2090_ = vec3<f32>(_e1318[0][1], _e1318[0][2], _e1318[0][0]);
+                                                                    phi_2089_ = vec3<f32>(_e1315[0][1], _e1315[0][2], _e1315[0][0]);
                                                                 }
-                                                                let _e1619 = phi_2090_;
-                                                                phi_2091_ = _e1619;
+                                                                let _e1616 = phi_2089_;
+                                                                phi_2090_ = _e1616;
                                                             }
-                                                            let _e1622 = phi_2091_;
+                                                            let _e1619 = phi_2090_;
                                                             if _e389 {
-                                                                phi_2108_ = vec3<f32>(_e1318[1][0], _e1318[1][1], _e1318[1][2]);
+                                                                phi_2107_ = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2107_ = vec3<f32>(_e1318[1][2], _e1318[1][0], _e1318[1][1]);
+                                                                    phi_2106_ = vec3<f32>(_e1315[1][2], _e1315[1][0], _e1315[1][1]);
                                                                 } else {
-                                                                    phi_2107_ = vec3<f32>(_e1318[1][1], _e1318[1][2], _e1318[1][0]);
+                                                                    phi_2106_ = vec3<f32>(_e1315[1][1], _e1315[1][2], _e1315[1][0]);
                                                                 }
-                                                                let _e1627 = phi_2107_;
-                                                                phi_2108_ = _e1627;
+                                                                let _e1624 = phi_2106_;
+                                                                phi_2107_ = _e1624;
                                                             }
-                                                            let _e1630 = phi_2108_;
+                                                            let _e1627 = phi_2107_;
                                                             if _e389 {
-                                                                phi_2125_ = vec3<f32>(_e1318[2][0], _e1318[2][1], _e1318[2][2]);
+                                                                phi_2124_ = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
                                                             } else {
                                                                 if (_e365 == 1u) {
-                                                                    phi_2124_ = vec3<f32>(_e1318[2][2], _e1318[2][0], _e1318[2][1]);
+                                                                    phi_2123_ = vec3<f32>(_e1315[2][2], _e1315[2][0], _e1315[2][1]);
                                                                 } else {
-                                                                    phi_2124_ = vec3<f32>(_e1318[2][1], _e1318[2][2], _e1318[2][0]);
+                                                                    phi_2123_ = vec3<f32>(_e1315[2][1], _e1315[2][2], _e1315[2][0]);
                                                                 }
-                                                                let _e1635 = phi_2124_;
-                                                                phi_2125_ = _e1635;
+                                                                let _e1632 = phi_2123_;
+                                                                phi_2124_ = _e1632;
                                                             }
-                                                            let _e1638 = phi_2125_;
-                                                            let _e1641 = (_e1630.x - _e1622.x);
-                                                            let _e1644 = (_e1630.y - _e1622.y);
-                                                            let _e1647 = (_e1630.z - _e1622.z);
-                                                            let _e1649 = (_e1638.x - _e1622.x);
-                                                            let _e1651 = (_e1638.y - _e1622.y);
-                                                            let _e1653 = (_e1638.z - _e1622.z);
+                                                            let _e1635 = phi_2124_;
+                                                            let _e1638 = (_e1627.x - _e1619.x);
+                                                            let _e1641 = (_e1627.y - _e1619.y);
+                                                            let _e1644 = (_e1627.z - _e1619.z);
+                                                            let _e1646 = (_e1635.x - _e1619.x);
+                                                            let _e1648 = (_e1635.y - _e1619.y);
+                                                            let _e1650 = (_e1635.z - _e1619.z);
                                                             if (_e243.member_1 == 1u) {
-                                                                phi_2161_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1622);
+                                                                phi_2160_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1619);
                                                             } else {
-                                                                phi_2161_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                phi_2160_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
                                                             }
-                                                            let _e1668 = phi_2161_;
-                                                            let _e1674 = bitcast<f32>((bitcast<u32>((_e1641 * _e1651)) ^ _e243.member_3[0]));
-                                                            let _e1678 = bitcast<f32>((bitcast<u32>((_e1644 * _e1649)) ^ _e243.member_3[0]));
-                                                            let _e1682 = bitcast<f32>((bitcast<u32>((_e1644 * _e1653)) ^ _e243.member_3[0]));
-                                                            let _e1686 = bitcast<f32>((bitcast<u32>((_e1647 * _e1651)) ^ _e243.member_3[0]));
-                                                            let _e1690 = bitcast<f32>((bitcast<u32>((_e1647 * _e1649)) ^ _e243.member_3[0]));
-                                                            let _e1694 = bitcast<f32>((bitcast<u32>((_e1641 * _e1653)) ^ _e243.member_3[0]));
-                                                            let _e1695 = (_e1682 - _e1686);
-                                                            let _e1696 = (_e1690 - _e1694);
-                                                            let _e1697 = (_e1674 - _e1678);
-                                                            let _e1721 = (bitcast<f32>((bitcast<u32>(_e1682) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)));
-                                                            let _e1728 = (bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u)));
-                                                            let _e1735 = (bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1678) & 2147483647u)));
+                                                            let _e1665 = phi_2160_;
+                                                            let _e1671 = bitcast<f32>((bitcast<u32>((_e1638 * _e1648)) ^ _e243.member_3[0]));
+                                                            let _e1675 = bitcast<f32>((bitcast<u32>((_e1641 * _e1646)) ^ _e243.member_3[0]));
+                                                            let _e1679 = bitcast<f32>((bitcast<u32>((_e1641 * _e1650)) ^ _e243.member_3[0]));
+                                                            let _e1683 = bitcast<f32>((bitcast<u32>((_e1644 * _e1648)) ^ _e243.member_3[0]));
+                                                            let _e1687 = bitcast<f32>((bitcast<u32>((_e1644 * _e1646)) ^ _e243.member_3[0]));
+                                                            let _e1691 = bitcast<f32>((bitcast<u32>((_e1638 * _e1650)) ^ _e243.member_3[0]));
+                                                            let _e1692 = (_e1679 - _e1683);
+                                                            let _e1693 = (_e1687 - _e1691);
+                                                            let _e1694 = (_e1671 - _e1675);
+                                                            let _e1718 = (bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u)));
+                                                            let _e1725 = (bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u)));
+                                                            let _e1732 = (bitcast<f32>((bitcast<u32>(_e1671) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u)));
                                                             if (_e243.member_2 == 0f) {
-                                                                phi_2343_ = 0f;
+                                                                phi_2342_ = 0f;
                                                             } else {
-                                                                let _e1765 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
-                                                                let _e1768 = bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u));
-                                                                let _e1771 = bitcast<f32>((bitcast<u32>(_e1697) & 2147483647u));
-                                                                let _e1773 = select(_e1771, _e1768, (_e1768 > _e1771));
-                                                                let _e1777 = select(_e1771, _e1768, (_e1768 < _e1771));
-                                                                let _e1781 = select(_e1768, _e1765, (_e1765 < _e1768));
-                                                                let _e1783 = select(_e1768, _e1765, (_e1765 > _e1768));
-                                                                let _e1785 = select(_e1771, _e1783, (_e1783 < _e1771));
-                                                                phi_2343_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1773, _e1765, (_e1765 > _e1773)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1785, _e1781, (_e1781 > _e1785)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1777, _e1765, (_e1765 < _e1777)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1721 + _e1728) + _e1735))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                let _e1762 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
+                                                                let _e1765 = bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u));
+                                                                let _e1768 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
+                                                                let _e1770 = select(_e1768, _e1765, (_e1765 > _e1768));
+                                                                let _e1774 = select(_e1768, _e1765, (_e1765 < _e1768));
+                                                                let _e1778 = select(_e1765, _e1762, (_e1762 < _e1765));
+                                                                let _e1780 = select(_e1765, _e1762, (_e1762 > _e1765));
+                                                                let _e1782 = select(_e1768, _e1780, (_e1780 < _e1768));
+                                                                phi_2342_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1770, _e1762, (_e1762 > _e1770)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1782, _e1778, (_e1778 > _e1782)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1774, _e1762, (_e1762 < _e1774)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1718 + _e1725) + _e1732))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
                                                             }
-                                                            let _e1812 = phi_2343_;
-                                                            phi_2361_ = (_e1614 || !(((((bitcast<f32>((bitcast<u32>((_e1668.x * _e1695)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1668.y * _e1696)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1668.z * _e1697)) ^ _e243.member_3[0]))) * f32(-(_e1613))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1668.x) & 2147483647u)) * _e1721)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1668.y) & 2147483647u)) * _e1728)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1668.z) & 2147483647u)) * _e1735)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1812) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1809 = phi_2342_;
+                                                            phi_2360_ = (_e1611 || !(((((bitcast<f32>((bitcast<u32>((_e1665.x * _e1692)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1665.y * _e1693)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1665.z * _e1694)) ^ _e243.member_3[0]))) * f32(-(_e1610))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.x) & 2147483647u)) * _e1718)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.y) & 2147483647u)) * _e1725)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.z) & 2147483647u)) * _e1732)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1809) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1826 = phi_2361_;
-                                                        phi_2362_ = _e1826;
+                                                        let _e1823 = phi_2360_;
+                                                        phi_2361_ = _e1823;
                                                     }
-                                                    let _e1828 = phi_2362_;
-                                                    if _e1828 {
-                                                        if (_e1600.member < _e1118.member.member) {
-                                                            phi_2382_ = true;
+                                                    let _e1825 = phi_2361_;
+                                                    if _e1825 {
+                                                        if (_e1597.member < _e1115.member.member) {
+                                                            phi_2381_ = true;
                                                         } else {
-                                                            if (_e1600.member == _e1118.member.member) {
-                                                                phi_2381_ = (_e1600.member_3 < _e1118.member.member_3);
+                                                            if (_e1597.member == _e1115.member.member) {
+                                                                phi_2380_ = (_e1597.member_3 < _e1115.member.member_3);
                                                             } else {
-                                                                phi_2381_ = false;
+                                                                phi_2380_ = false;
                                                             }
-                                                            let _e1838 = phi_2381_;
-                                                            phi_2382_ = _e1838;
+                                                            let _e1835 = phi_2380_;
+                                                            phi_2381_ = _e1835;
                                                         }
-                                                        let _e1840 = phi_2382_;
-                                                        if _e1840 {
-                                                            phi_2388_ = type_39(_e1600, _e1600.member);
+                                                        let _e1837 = phi_2381_;
+                                                        if _e1837 {
+                                                            phi_2387_ = type_39(_e1597, _e1597.member);
                                                         } else {
-                                                            phi_2388_ = _e1118;
+                                                            phi_2387_ = _e1115;
                                                         }
-                                                        let _e1843 = phi_2388_;
-                                                        phi_2389_ = _e1843;
+                                                        let _e1840 = phi_2387_;
+                                                        phi_2388_ = _e1840;
                                                     } else {
-                                                        phi_2389_ = _e1118;
+                                                        phi_2388_ = _e1115;
                                                     }
-                                                    let _e1845 = phi_2389_;
-                                                    phi_2390_ = _e1845;
+                                                    let _e1842 = phi_2388_;
+                                                    phi_2389_ = _e1842;
                                                 } else {
-                                                    phi_2390_ = _e1118;
+                                                    phi_2389_ = _e1115;
                                                 }
-                                                let _e1847 = phi_2390_;
-                                                phi_4200_ = _e1317;
-                                                phi_1102_ = _e1847;
+                                                let _e1844 = phi_2389_;
+                                                phi_4057_ = _e1314;
+                                                phi_1101_ = _e1844;
                                             } else {
-                                                phi_4200_ = _e1116;
-                                                phi_1102_ = type_39();
+                                                phi_4057_ = _e1113;
+                                                phi_1101_ = type_39();
                                             }
-                                            let _e1849 = phi_4200_;
-                                            let _e1851 = phi_1102_;
+                                            let _e1846 = phi_4057_;
+                                            let _e1848 = phi_1101_;
                                             continue;
                                             continuing {
-                                                phi_4137_ = _e1849;
-                                                phi_1101_ = _e1851;
-                                                phi_1104_ = _e1133;
-                                                phi_4199_ = _e1849;
-                                                break if !(_e1139);
+                                                phi_3994_ = _e1846;
+                                                phi_1100_ = _e1848;
+                                                phi_1103_ = _e1130;
+                                                phi_4056_ = _e1846;
+                                                break if !(_e1136);
                                             }
                                         }
-                                        let _e1854 = phi_4199_;
-                                        phi_4278_ = _e1854;
-                                        if _e1854 {
+                                        let _e1851 = phi_4056_;
+                                        phi_4135_ = _e1851;
+                                        if _e1851 {
                                             break;
                                         }
-                                        phi_4282_ = _e1854;
-                                        let _e2094 = local_14;
-                                        phi_3772_ = _e2094;
-                                        phi_3773_ = _e626;
-                                        phi_3774_ = false;
-                                        phi_3775_ = _e630;
+                                        phi_4139_ = _e1851;
+                                        let _e2091 = local_14;
+                                        phi_3629_ = _e2091;
+                                        phi_3630_ = _e626;
+                                        phi_3631_ = false;
+                                        phi_3632_ = _e630;
                                     } else {
                                         if (_e626.member_1 >= _e103) {
-                                            phi_3328_ = type_61(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
                                             if (_e626.member_1 < _e103) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e644 = ((1u + (_e365 * 2u)) % 7u);
+                                            let _e642 = (_e365 * 2u);
+                                            let _e644 = ((1u + _e642) % 7u);
                                             if (_e644 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
                                             let _e649 = global_9.member[_e626.member_1][_e644];
-                                            let _e652 = ((1u + (_e364 * 2u)) % 7u);
-                                            if (_e652 < 7u) {
+                                            let _e651 = ((_e642 + 2u) % 7u);
+                                            if (_e651 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e657 = global_9.member[_e626.member_1][_e652];
-                                            let _e660 = ((1u + (_e366 * 2u)) % 7u);
-                                            if (_e660 < 7u) {
+                                            let _e656 = global_9.member[_e626.member_1][_e651];
+                                            let _e657 = (_e364 * 2u);
+                                            let _e659 = ((1u + _e657) % 7u);
+                                            if (_e659 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e665 = global_9.member[_e626.member_1][_e660];
-                                            let _e668 = (((_e365 + 1u) * 2u) % 7u);
-                                            if (_e668 < 7u) {
+                                            let _e664 = global_9.member[_e626.member_1][_e659];
+                                            let _e666 = ((_e657 + 2u) % 7u);
+                                            if (_e666 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e673 = global_9.member[_e626.member_1][_e668];
-                                            let _e676 = (((_e364 + 1u) * 2u) % 7u);
-                                            if (_e676 < 7u) {
+                                            let _e671 = global_9.member[_e626.member_1][_e666];
+                                            let _e672 = (_e366 * 2u);
+                                            let _e674 = ((1u + _e672) % 7u);
+                                            if (_e674 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e681 = global_9.member[_e626.member_1][_e676];
-                                            let _e684 = (((_e366 + 1u) * 2u) % 7u);
-                                            if (_e684 < 7u) {
+                                            let _e679 = global_9.member[_e626.member_1][_e674];
+                                            let _e681 = ((_e672 + 2u) % 7u);
+                                            if (_e681 < 7u) {
                                             } else {
-                                                phi_4278_ = true;
+                                                phi_4135_ = true;
                                                 break;
                                             }
-                                            let _e689 = global_9.member[_e626.member_1][_e684];
-                                            let _e712 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.x - _e626.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e713 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.y - _e626.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e714 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.z - _e626.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e716 = select(_e162, _e712, (_e712 > _e162));
-                                            let _e718 = select(_e162, _e713, (_e713 > _e162));
-                                            let _e720 = select(_e162, _e714, (_e714 > _e162));
-                                            let _e745 = bitcast<u32>((f32(bitcast<i32>((_e649 & 2097151u))) * _e716));
-                                            let _e750 = (bitcast<i32>((_e649 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e753 = bitcast<f32>((_e745 & bitcast<u32>(_e750)));
-                                            let _e754 = bitcast<u32>((f32(bitcast<i32>((_e657 & 2097151u))) * _e718));
-                                            let _e759 = (bitcast<i32>((_e657 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e762 = bitcast<f32>((_e754 & bitcast<u32>(_e759)));
-                                            let _e763 = bitcast<u32>((f32(bitcast<i32>((_e665 & 2097151u))) * _e720));
-                                            let _e768 = (bitcast<i32>((_e665 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e771 = bitcast<f32>((_e763 & bitcast<u32>(_e768)));
-                                            let _e775 = bitcast<f32>((_e745 & bitcast<u32>(~(_e750))));
-                                            let _e779 = bitcast<f32>((_e754 & bitcast<u32>(~(_e759))));
-                                            let _e783 = bitcast<f32>((_e763 & bitcast<u32>(~(_e768))));
-                                            let _e784 = bitcast<u32>((f32(bitcast<i32>((_e673 & 2097151u))) * _e716));
-                                            let _e789 = (bitcast<i32>((_e673 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e792 = bitcast<f32>((_e784 & bitcast<u32>(_e789)));
-                                            let _e793 = bitcast<u32>((f32(bitcast<i32>((_e681 & 2097151u))) * _e718));
-                                            let _e798 = (bitcast<i32>((_e681 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e801 = bitcast<f32>((_e793 & bitcast<u32>(_e798)));
-                                            let _e802 = bitcast<u32>((f32(bitcast<i32>((_e689 & 2097151u))) * _e720));
-                                            let _e807 = (bitcast<i32>((_e689 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e810 = bitcast<f32>((_e802 & bitcast<u32>(_e807)));
-                                            let _e814 = bitcast<f32>((_e784 & bitcast<u32>(~(_e789))));
-                                            let _e818 = bitcast<f32>((_e793 & bitcast<u32>(~(_e798))));
-                                            let _e822 = bitcast<f32>((_e802 & bitcast<u32>(~(_e807))));
-                                            let _e823 = (_e626.member.member.x + _e753);
-                                            let _e824 = (_e626.member.member.y + _e762);
-                                            let _e825 = (_e626.member.member.z + _e771);
-                                            let _e828 = (_e626.member.member_1.x - _e792);
-                                            let _e829 = (_e626.member.member_1.y - _e801);
-                                            let _e830 = (_e626.member.member_1.z - _e810);
-                                            let _e849 = (_e828 - _e823);
-                                            let _e850 = (_e829 - _e824);
-                                            let _e851 = (_e830 - _e825);
-                                            let _e853 = select(_e850, _e849, (_e849 > _e850));
-                                            let _e855 = select(_e851, _e853, (_e853 > _e851));
-                                            if (_e855 < (1024f * _e162)) {
-                                                phi_3029_ = 0u;
+                                            let _e686 = global_9.member[_e626.member_1][_e681];
+                                            let _e709 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.x - _e626.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e710 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.y - _e626.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e711 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.z - _e626.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e713 = select(_e162, _e709, (_e709 > _e162));
+                                            let _e715 = select(_e162, _e710, (_e710 > _e162));
+                                            let _e717 = select(_e162, _e711, (_e711 > _e162));
+                                            let _e742 = bitcast<u32>((f32(bitcast<i32>((_e649 & 2097151u))) * _e713));
+                                            let _e747 = (bitcast<i32>((_e649 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
+                                            let _e751 = bitcast<u32>((f32(bitcast<i32>((_e664 & 2097151u))) * _e715));
+                                            let _e756 = (bitcast<i32>((_e664 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e759 = bitcast<f32>((_e751 & bitcast<u32>(_e756)));
+                                            let _e760 = bitcast<u32>((f32(bitcast<i32>((_e679 & 2097151u))) * _e717));
+                                            let _e765 = (bitcast<i32>((_e679 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
+                                            let _e772 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
+                                            let _e776 = bitcast<f32>((_e751 & bitcast<u32>(~(_e756))));
+                                            let _e780 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
+                                            let _e781 = bitcast<u32>((f32(bitcast<i32>((_e656 & 2097151u))) * _e713));
+                                            let _e786 = (bitcast<i32>((_e656 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
+                                            let _e790 = bitcast<u32>((f32(bitcast<i32>((_e671 & 2097151u))) * _e715));
+                                            let _e795 = (bitcast<i32>((_e671 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e798 = bitcast<f32>((_e790 & bitcast<u32>(_e795)));
+                                            let _e799 = bitcast<u32>((f32(bitcast<i32>((_e686 & 2097151u))) * _e717));
+                                            let _e804 = (bitcast<i32>((_e686 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e807 = bitcast<f32>((_e799 & bitcast<u32>(_e804)));
+                                            let _e811 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
+                                            let _e815 = bitcast<f32>((_e790 & bitcast<u32>(~(_e795))));
+                                            let _e819 = bitcast<f32>((_e799 & bitcast<u32>(~(_e804))));
+                                            let _e820 = (_e626.member.member.x + _e750);
+                                            let _e821 = (_e626.member.member.y + _e759);
+                                            let _e822 = (_e626.member.member.z + _e768);
+                                            let _e825 = (_e626.member.member_1.x - _e789);
+                                            let _e826 = (_e626.member.member_1.y - _e798);
+                                            let _e827 = (_e626.member.member_1.z - _e807);
+                                            let _e846 = (_e825 - _e820);
+                                            let _e847 = (_e826 - _e821);
+                                            let _e848 = (_e827 - _e822);
+                                            let _e850 = select(_e847, _e846, (_e846 > _e847));
+                                            let _e852 = select(_e848, _e850, (_e850 > _e848));
+                                            if (_e852 < (1024f * _e162)) {
+                                                phi_2886_ = 0u;
                                             } else {
-                                                phi_3029_ = select(2u, 1u, (_e855 < (2097152f * _e162)));
+                                                phi_2886_ = select(2u, 1u, (_e852 < (2097152f * _e162)));
                                             }
-                                            let _e862 = phi_3029_;
-                                            switch bitcast<i32>(_e862) {
+                                            let _e859 = phi_2886_;
+                                            switch bitcast<i32>(_e859) {
                                                 case 0: {
-                                                    phi_3035_ = 1u;
+                                                    phi_2892_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3035_ = 2u;
+                                                    phi_2892_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3035_ = 3u;
+                                                    phi_2892_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3035_ = u32();
+                                                    phi_2892_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e865 = phi_3035_;
-                                            let _e871 = global_9.member[_e626.member_1][0u];
-                                            let _e875 = global_9.member[_e626.member_1][2u];
-                                            let _e879 = global_9.member[_e626.member_1][4u];
-                                            let _e883 = global_9.member[_e626.member_1][6u];
-                                            let _e895 = (((_e875 >> bitcast<u32>(22i)) | ((_e879 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e883 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e896 = (_e871 & 268435455u);
-                                            let _e897 = (_e895 & 268435455u);
-                                            let _e900 = ((_e871 >> bitcast<u32>(28u)) & 7u);
-                                            let _e908 = ((_e871 >> bitcast<u32>(31i)) | (((_e895 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e909 = (_e900 != 0u);
-                                            if (_e900 == 0u) {
-                                                phi_3290_ = _e896;
+                                            let _e862 = phi_2892_;
+                                            let _e868 = global_9.member[_e626.member_1][0u];
+                                            let _e872 = global_9.member[_e626.member_1][2u];
+                                            let _e876 = global_9.member[_e626.member_1][4u];
+                                            let _e880 = global_9.member[_e626.member_1][6u];
+                                            let _e892 = (((_e872 >> bitcast<u32>(22i)) | ((_e876 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e880 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e893 = (_e868 & 268435455u);
+                                            let _e894 = (_e892 & 268435455u);
+                                            let _e897 = ((_e868 >> bitcast<u32>(28u)) & 7u);
+                                            let _e905 = ((_e868 >> bitcast<u32>(31i)) | (((_e892 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e906 = (_e897 != 0u);
+                                            if (_e897 == 0u) {
+                                                phi_3147_ = _e893;
                                             } else {
-                                                if (_e900 == 7u) {
-                                                    phi_3289_ = 2147483648u;
+                                                if (_e897 == 7u) {
+                                                    phi_3146_ = 2147483648u;
                                                 } else {
-                                                    phi_3289_ = ((2147483648u | (_e900 << bitcast<u32>(28u))) | (_e897 & 268435455u));
+                                                    phi_3146_ = ((2147483648u | (_e897 << bitcast<u32>(28u))) | (_e894 & 268435455u));
                                                 }
-                                                let _e918 = phi_3289_;
-                                                phi_3290_ = _e918;
+                                                let _e915 = phi_3146_;
+                                                phi_3147_ = _e915;
                                             }
-                                            let _e920 = phi_3290_;
-                                            if _e909 {
-                                                let _e921 = (_e900 != 7u);
-                                                if _e921 {
-                                                    phi_3300_ = (_e897 + (_e900 * ((3u * _e865) + 1u)));
+                                            let _e917 = phi_3147_;
+                                            if _e906 {
+                                                let _e918 = (_e897 != 7u);
+                                                if _e918 {
+                                                    phi_3157_ = (_e894 + (_e897 * ((3u * _e862) + 1u)));
                                                 } else {
-                                                    phi_3300_ = u32();
+                                                    phi_3157_ = u32();
                                                 }
-                                                let _e925 = phi_3300_;
-                                                phi_3302_ = _e925;
-                                                phi_3303_ = select(true, false, _e921);
+                                                let _e922 = phi_3157_;
+                                                phi_3159_ = _e922;
+                                                phi_3160_ = select(true, false, _e918);
                                             } else {
-                                                phi_3302_ = u32();
-                                                phi_3303_ = true;
+                                                phi_3159_ = u32();
+                                                phi_3160_ = true;
                                             }
-                                            let _e928 = phi_3302_;
-                                            let _e930 = phi_3303_;
-                                            if (_e908 == 0u) {
-                                                phi_3324_ = (_e896 + select(0u, 1u, !(_e909)));
+                                            let _e925 = phi_3159_;
+                                            let _e927 = phi_3160_;
+                                            if (_e905 == 0u) {
+                                                phi_3181_ = (_e893 + select(0u, 1u, !(_e906)));
                                             } else {
-                                                if (_e908 == 7u) {
-                                                    phi_3323_ = 2147483648u;
+                                                if (_e905 == 7u) {
+                                                    phi_3180_ = 2147483648u;
                                                 } else {
-                                                    phi_3323_ = ((2147483648u | (_e908 << bitcast<u32>(28u))) | (select(_e928, _e897, _e930) & 268435455u));
+                                                    phi_3180_ = ((2147483648u | (_e905 << bitcast<u32>(28u))) | (select(_e925, _e894, _e927) & 268435455u));
                                                 }
-                                                let _e943 = phi_3323_;
-                                                phi_3324_ = _e943;
+                                                let _e940 = phi_3180_;
+                                                phi_3181_ = _e940;
                                             }
-                                            let _e945 = phi_3324_;
-                                            phi_3328_ = type_61(array<vec4<f32>, 3>(vec4<f32>(_e823, (_e626.member.member.x + _e775), _e828, (_e626.member.member_1.x - _e814)), vec4<f32>(_e824, (_e626.member.member.y + _e779), _e829, (_e626.member.member_1.y - _e818)), vec4<f32>(_e825, (_e626.member.member.z + _e783), _e830, (_e626.member.member_1.z - _e822))), type_60(type_33((_e626.member.member + vec4<f32>(_e753, _e762, _e771, 0f)), (_e626.member.member_1 - vec4<f32>(_e792, _e801, _e810, 0f))), _e920), type_60(type_33((_e626.member.member + vec4<f32>(_e775, _e779, _e783, 0f)), (_e626.member.member_1 - vec4<f32>(_e814, _e818, _e822, 0f))), _e945));
+                                            let _e942 = phi_3181_;
+                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(_e820, (_e626.member.member.x + _e772), _e825, (_e626.member.member_1.x - _e811)), vec4<f32>(_e821, (_e626.member.member.y + _e776), _e826, (_e626.member.member_1.y - _e815)), vec4<f32>(_e822, (_e626.member.member.z + _e780), _e827, (_e626.member.member_1.z - _e819))), type_60(type_33((_e626.member.member + vec4<f32>(_e750, _e759, _e768, 0f)), (_e626.member.member_1 - vec4<f32>(_e789, _e798, _e807, 0f))), _e917), type_60(type_33((_e626.member.member + vec4<f32>(_e772, _e776, _e780, 0f)), (_e626.member.member_1 - vec4<f32>(_e811, _e815, _e819, 0f))), _e942));
                                         }
-                                        let _e950 = phi_3328_;
-                                        let _e962 = ((_e950.member[0].x - _e420) * _e425);
-                                        let _e963 = ((_e950.member[0].y - _e420) * _e425);
-                                        let _e964 = ((_e950.member[0].z - _e421) * _e425);
-                                        let _e965 = ((_e950.member[0].w - _e421) * _e425);
-                                        let _e975 = ((_e950.member[1].x - _e456) * _e461);
-                                        let _e976 = ((_e950.member[1].y - _e456) * _e461);
-                                        let _e977 = ((_e950.member[1].z - _e457) * _e461);
-                                        let _e978 = ((_e950.member[1].w - _e457) * _e461);
-                                        let _e988 = ((_e950.member[2].x - _e492) * _e497);
-                                        let _e989 = ((_e950.member[2].y - _e492) * _e497);
-                                        let _e990 = ((_e950.member[2].z - _e493) * _e497);
-                                        let _e991 = ((_e950.member[2].w - _e493) * _e497);
-                                        let _e993 = select(_e990, _e988, (_e988 < _e990));
-                                        let _e995 = select(_e991, _e989, (_e989 < _e991));
-                                        let _e997 = select(_e990, _e988, (_e988 > _e990));
-                                        let _e999 = select(_e991, _e989, (_e989 > _e991));
-                                        let _e1001 = select(_e964, _e962, (_e962 < _e964));
-                                        let _e1003 = select(_e965, _e963, (_e963 < _e965));
-                                        let _e1005 = select(_e977, _e975, (_e975 < _e977));
-                                        let _e1007 = select(_e978, _e976, (_e976 < _e978));
-                                        let _e1009 = select(_e1005, _e1001, (_e1001 > _e1005));
-                                        let _e1011 = select(_e1007, _e1003, (_e1003 > _e1007));
-                                        let _e1013 = select(_e993, _e1009, (_e1009 > _e993));
-                                        let _e1015 = select(_e995, _e1011, (_e1011 > _e995));
-                                        let _e1017 = select(_e964, _e962, (_e962 > _e964));
-                                        let _e1019 = select(_e965, _e963, (_e963 > _e965));
-                                        let _e1021 = select(_e977, _e975, (_e975 > _e977));
-                                        let _e1023 = select(_e978, _e976, (_e976 > _e978));
-                                        let _e1025 = select(_e1021, _e1017, (_e1017 < _e1021));
-                                        let _e1027 = select(_e1023, _e1019, (_e1019 < _e1023));
-                                        let _e1032 = -(_e993);
-                                        let _e1033 = -(_e995);
-                                        let _e1040 = (select(_e997, _e1025, (_e1025 < _e997)) + (select(_e1032, _e997, (_e997 > _e1032)) * 0.0000019073523f));
-                                        let _e1041 = (select(_e999, _e1027, (_e1027 < _e999)) + (select(_e1033, _e999, (_e999 > _e1033)) * 0.0000019073523f));
-                                        let _e1043 = select(_e543, _e1013, (_e1013 > _e543));
-                                        let _e1045 = select(_e543, _e1015, (_e1015 > _e543));
-                                        let _e1050 = (_e1043 <= select(_e587.member_1, _e1040, (_e1040 < _e587.member_1)));
-                                        let _e1051 = (_e1045 <= select(_e587.member_1, _e1041, (_e1041 < _e587.member_1)));
-                                        let _e1052 = (_e1043 <= _e1045);
-                                        if _e1050 {
-                                            if _e1051 {
-                                                if _e1052 {
-                                                    phi_3672_ = _e950.member_2;
+                                        let _e947 = phi_3185_;
+                                        let _e959 = ((_e947.member[0].x - _e420) * _e425);
+                                        let _e960 = ((_e947.member[0].y - _e420) * _e425);
+                                        let _e961 = ((_e947.member[0].z - _e421) * _e425);
+                                        let _e962 = ((_e947.member[0].w - _e421) * _e425);
+                                        let _e972 = ((_e947.member[1].x - _e456) * _e461);
+                                        let _e973 = ((_e947.member[1].y - _e456) * _e461);
+                                        let _e974 = ((_e947.member[1].z - _e457) * _e461);
+                                        let _e975 = ((_e947.member[1].w - _e457) * _e461);
+                                        let _e985 = ((_e947.member[2].x - _e492) * _e497);
+                                        let _e986 = ((_e947.member[2].y - _e492) * _e497);
+                                        let _e987 = ((_e947.member[2].z - _e493) * _e497);
+                                        let _e988 = ((_e947.member[2].w - _e493) * _e497);
+                                        let _e990 = select(_e987, _e985, (_e985 < _e987));
+                                        let _e992 = select(_e988, _e986, (_e986 < _e988));
+                                        let _e994 = select(_e987, _e985, (_e985 > _e987));
+                                        let _e996 = select(_e988, _e986, (_e986 > _e988));
+                                        let _e998 = select(_e961, _e959, (_e959 < _e961));
+                                        let _e1000 = select(_e962, _e960, (_e960 < _e962));
+                                        let _e1002 = select(_e974, _e972, (_e972 < _e974));
+                                        let _e1004 = select(_e975, _e973, (_e973 < _e975));
+                                        let _e1006 = select(_e1002, _e998, (_e998 > _e1002));
+                                        let _e1008 = select(_e1004, _e1000, (_e1000 > _e1004));
+                                        let _e1010 = select(_e990, _e1006, (_e1006 > _e990));
+                                        let _e1012 = select(_e992, _e1008, (_e1008 > _e992));
+                                        let _e1014 = select(_e961, _e959, (_e959 > _e961));
+                                        let _e1016 = select(_e962, _e960, (_e960 > _e962));
+                                        let _e1018 = select(_e974, _e972, (_e972 > _e974));
+                                        let _e1020 = select(_e975, _e973, (_e973 > _e975));
+                                        let _e1022 = select(_e1018, _e1014, (_e1014 < _e1018));
+                                        let _e1024 = select(_e1020, _e1016, (_e1016 < _e1020));
+                                        let _e1029 = -(_e990);
+                                        let _e1030 = -(_e992);
+                                        let _e1037 = (select(_e994, _e1022, (_e1022 < _e994)) + (select(_e1029, _e994, (_e994 > _e1029)) * 0.0000019073523f));
+                                        let _e1038 = (select(_e996, _e1024, (_e1024 < _e996)) + (select(_e1030, _e996, (_e996 > _e1030)) * 0.0000019073523f));
+                                        let _e1040 = select(_e543, _e1010, (_e1010 > _e543));
+                                        let _e1042 = select(_e543, _e1012, (_e1012 > _e543));
+                                        let _e1047 = (_e1040 <= select(_e587.member_1, _e1037, (_e1037 < _e587.member_1)));
+                                        let _e1048 = (_e1042 <= select(_e587.member_1, _e1038, (_e1038 < _e587.member_1)));
+                                        let _e1049 = (_e1040 <= _e1042);
+                                        if _e1047 {
+                                            if _e1048 {
+                                                if _e1049 {
+                                                    phi_3529_ = _e947.member_2;
                                                 } else {
-                                                    phi_3672_ = _e950.member_1;
+                                                    phi_3529_ = _e947.member_1;
                                                 }
-                                                let _e1056 = phi_3672_;
-                                                let _e1078 = (_e630 % 128u);
-                                                let _e1079 = (_e1078 < 128u);
-                                                if _e1079 {
+                                                let _e1053 = phi_3529_;
+                                                let _e1075 = (_e630 % 128u);
+                                                let _e1076 = (_e1075 < 128u);
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1078] = _e1056.member_1;
-                                                if _e1079 {
+                                                local_8[_e1075] = _e1053.member_1;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1078] = _e1056.member.member.x;
-                                                if _e1079 {
+                                                local_7[_e1075] = _e1053.member.member.x;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1078] = _e1056.member.member.y;
-                                                if _e1079 {
+                                                local_6[_e1075] = _e1053.member.member.y;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1078] = _e1056.member.member.z;
-                                                if _e1079 {
+                                                local_5[_e1075] = _e1053.member.member.z;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1078] = _e1056.member.member_1.x;
-                                                if _e1079 {
+                                                local_4[_e1075] = _e1053.member.member_1.x;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1078] = _e1056.member.member_1.y;
-                                                if _e1079 {
+                                                local_3[_e1075] = _e1053.member.member_1.y;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1078] = _e1056.member.member_1.z;
-                                                if _e1079 {
+                                                local_2[_e1075] = _e1053.member.member_1.z;
+                                                if _e1076 {
                                                 } else {
-                                                    phi_4278_ = true;
+                                                    phi_4135_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1078] = select(_e1045, _e1043, (_e1043 > _e1045));
-                                                if _e1052 {
-                                                    phi_3749_ = _e950.member_1;
+                                                local_9[_e1075] = select(_e1042, _e1040, (_e1040 > _e1042));
+                                                if _e1049 {
+                                                    phi_3606_ = _e947.member_1;
                                                 } else {
-                                                    phi_3749_ = _e950.member_2;
+                                                    phi_3606_ = _e947.member_2;
                                                 }
-                                                let _e1092 = phi_3749_;
-                                                phi_3750_ = _e1092;
-                                                phi_3751_ = (_e630 + 1u);
+                                                let _e1089 = phi_3606_;
+                                                phi_3607_ = _e1089;
+                                                phi_3608_ = (_e630 + 1u);
                                             } else {
-                                                phi_3750_ = type_60();
-                                                phi_3751_ = u32();
+                                                phi_3607_ = type_60();
+                                                phi_3608_ = u32();
                                             }
-                                            let _e1094 = phi_3750_;
-                                            let _e1096 = phi_3751_;
-                                            phi_3753_ = _e1094;
-                                            phi_3754_ = _e1096;
-                                            phi_3755_ = select(true, false, _e1051);
+                                            let _e1091 = phi_3607_;
+                                            let _e1093 = phi_3608_;
+                                            phi_3610_ = _e1091;
+                                            phi_3611_ = _e1093;
+                                            phi_3612_ = select(true, false, _e1048);
                                         } else {
-                                            phi_3753_ = type_60();
-                                            phi_3754_ = u32();
-                                            phi_3755_ = true;
+                                            phi_3610_ = type_60();
+                                            phi_3611_ = u32();
+                                            phi_3612_ = true;
                                         }
-                                        let _e1099 = phi_3753_;
-                                        let _e1101 = phi_3754_;
-                                        let _e1103 = phi_3755_;
-                                        if _e1103 {
-                                            if _e1050 {
-                                                phi_3764_ = _e950.member_1;
+                                        let _e1096 = phi_3610_;
+                                        let _e1098 = phi_3611_;
+                                        let _e1100 = phi_3612_;
+                                        if _e1100 {
+                                            if _e1047 {
+                                                phi_3621_ = _e947.member_1;
                                             } else {
-                                                phi_3764_ = _e950.member_2;
+                                                phi_3621_ = _e947.member_2;
                                             }
-                                            let _e1107 = phi_3764_;
-                                            phi_3769_ = _e1107;
-                                            phi_3770_ = select(_e1051, true, _e1050);
+                                            let _e1104 = phi_3621_;
+                                            phi_3626_ = _e1104;
+                                            phi_3627_ = select(_e1048, true, _e1047);
                                         } else {
-                                            phi_3769_ = _e1099;
-                                            phi_3770_ = _e628;
+                                            phi_3626_ = _e1096;
+                                            phi_3627_ = _e628;
                                         }
-                                        let _e1110 = phi_3769_;
-                                        let _e1112 = phi_3770_;
-                                        phi_4282_ = _e585;
-                                        phi_3772_ = _e587;
-                                        phi_3773_ = _e1110;
-                                        phi_3774_ = _e1112;
-                                        phi_3775_ = select(_e1101, _e630, _e1103);
+                                        let _e1107 = phi_3626_;
+                                        let _e1109 = phi_3627_;
+                                        phi_4139_ = _e585;
+                                        phi_3629_ = _e587;
+                                        phi_3630_ = _e1107;
+                                        phi_3631_ = _e1109;
+                                        phi_3632_ = select(_e1098, _e630, _e1100);
                                     }
-                                    let _e1856 = phi_4282_;
-                                    let _e1858 = phi_3772_;
-                                    let _e1860 = phi_3773_;
-                                    let _e1862 = phi_3774_;
-                                    let _e1864 = phi_3775_;
-                                    phi_4281_ = _e1856;
-                                    phi_3776_ = _e1858;
-                                    phi_3777_ = _e1860;
-                                    phi_3778_ = (_e591 - 1u);
-                                    phi_3779_ = _e1862;
-                                    phi_3780_ = _e1864;
+                                    let _e1853 = phi_4139_;
+                                    let _e1855 = phi_3629_;
+                                    let _e1857 = phi_3630_;
+                                    let _e1859 = phi_3631_;
+                                    let _e1861 = phi_3632_;
+                                    phi_4138_ = _e1853;
+                                    phi_3633_ = _e1855;
+                                    phi_3634_ = _e1857;
+                                    phi_3635_ = (_e591 - 1u);
+                                    phi_3636_ = _e1859;
+                                    phi_3637_ = _e1861;
                                 } else {
-                                    phi_4281_ = _e585;
-                                    phi_3776_ = _e587;
-                                    phi_3777_ = _e626;
-                                    phi_3778_ = _e591;
-                                    phi_3779_ = _e628;
-                                    phi_3780_ = _e630;
+                                    phi_4138_ = _e585;
+                                    phi_3633_ = _e587;
+                                    phi_3634_ = _e626;
+                                    phi_3635_ = _e591;
+                                    phi_3636_ = _e628;
+                                    phi_3637_ = _e630;
                                 }
-                                let _e1866 = phi_4281_;
-                                let _e1868 = phi_3776_;
-                                let _e1870 = phi_3777_;
-                                let _e1872 = phi_3778_;
-                                let _e1874 = phi_3779_;
-                                let _e1876 = phi_3780_;
-                                phi_4280_ = _e1866;
-                                phi_3781_ = _e1868;
-                                phi_3782_ = _e1870;
-                                phi_3783_ = _e1872;
-                                phi_3784_ = _e1874;
-                                phi_3785_ = _e1876;
+                                let _e1863 = phi_4138_;
+                                let _e1865 = phi_3633_;
+                                let _e1867 = phi_3634_;
+                                let _e1869 = phi_3635_;
+                                let _e1871 = phi_3636_;
+                                let _e1873 = phi_3637_;
+                                phi_4137_ = _e1863;
+                                phi_3638_ = _e1865;
+                                phi_3639_ = _e1867;
+                                phi_3640_ = _e1869;
+                                phi_3641_ = _e1871;
+                                phi_3642_ = _e1873;
                             } else {
-                                phi_4280_ = _e585;
-                                phi_3781_ = type_39();
-                                phi_3782_ = type_60();
-                                phi_3783_ = u32();
-                                phi_3784_ = bool();
-                                phi_3785_ = u32();
+                                phi_4137_ = _e585;
+                                phi_3638_ = type_39();
+                                phi_3639_ = type_60();
+                                phi_3640_ = u32();
+                                phi_3641_ = bool();
+                                phi_3642_ = u32();
                             }
-                            let _e1878 = phi_4280_;
-                            let _e1880 = phi_3781_;
-                            let _e1882 = phi_3782_;
-                            let _e1884 = phi_3783_;
-                            let _e1886 = phi_3784_;
-                            let _e1888 = phi_3785_;
-                            phi_4279_ = _e1878;
-                            phi_975_ = _e1880;
-                            phi_978_ = _e1882;
-                            phi_980_ = _e1884;
-                            phi_982_ = _e1886;
-                            phi_984_ = _e1888;
-                            phi_3786_ = _e599;
+                            let _e1875 = phi_4137_;
+                            let _e1877 = phi_3638_;
+                            let _e1879 = phi_3639_;
+                            let _e1881 = phi_3640_;
+                            let _e1883 = phi_3641_;
+                            let _e1885 = phi_3642_;
+                            phi_4136_ = _e1875;
+                            phi_974_ = _e1877;
+                            phi_977_ = _e1879;
+                            phi_979_ = _e1881;
+                            phi_981_ = _e1883;
+                            phi_983_ = _e1885;
+                            phi_3643_ = _e599;
                         } else {
-                            phi_4279_ = _e585;
-                            phi_975_ = type_39();
-                            phi_978_ = type_60();
-                            phi_980_ = u32();
-                            phi_982_ = bool();
-                            phi_984_ = u32();
-                            phi_3786_ = false;
+                            phi_4136_ = _e585;
+                            phi_974_ = type_39();
+                            phi_977_ = type_60();
+                            phi_979_ = u32();
+                            phi_981_ = bool();
+                            phi_983_ = u32();
+                            phi_3643_ = false;
                         }
-                        let _e1890 = phi_4279_;
-                        let _e1892 = phi_975_;
-                        let _e1894 = phi_978_;
-                        let _e1896 = phi_980_;
-                        let _e1898 = phi_982_;
-                        let _e1900 = phi_984_;
-                        let _e1902 = phi_3786_;
+                        let _e1887 = phi_4136_;
+                        let _e1889 = phi_974_;
+                        let _e1891 = phi_977_;
+                        let _e1893 = phi_979_;
+                        let _e1895 = phi_981_;
+                        let _e1897 = phi_983_;
+                        let _e1899 = phi_3643_;
                         continue;
                         continuing {
-                            phi_4140_ = _e1890;
-                            phi_974_ = _e1892;
-                            phi_977_ = _e1894;
-                            phi_979_ = _e1896;
-                            phi_981_ = _e1898;
-                            phi_983_ = _e1900;
-                            phi_4278_ = _e1890;
-                            break if !(_e1902);
+                            phi_3997_ = _e1887;
+                            phi_973_ = _e1889;
+                            phi_976_ = _e1891;
+                            phi_978_ = _e1893;
+                            phi_980_ = _e1895;
+                            phi_982_ = _e1897;
+                            phi_4135_ = _e1887;
+                            break if !(_e1899);
                         }
                     }
-                    let _e1905 = phi_4278_;
-                    if _e1905 {
+                    let _e1902 = phi_4135_;
+                    if _e1902 {
                         break;
                     }
-                    let _e1907 = local_13;
-                    if (_e1907.member.member_3 != 4294967295u) {
-                        let _e1912 = (_e367 / 3i);
-                        let _e1919 = bitcast<f32>((bitcast<u32>((_e1912 + 127i)) << bitcast<u32>(23i)));
-                        let _e1927 = (((_e1907.member.member * _e1919) * _e1919) * bitcast<f32>((bitcast<u32>(((_e367 - (2i * _e1912)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1929 = select(340282350000000000000000000000000000000f, _e1927, (_e1927 < 340282350000000000000000000000000000000f));
-                        phi_3838_ = type_21(select(-340282350000000000000000000000000000000f, _e1929, (_e1929 > -340282350000000000000000000000000000000f)), _e1907.member.member_1, _e1907.member.member_2, _e1907.member.member_3);
+                    let _e1904 = local_13;
+                    if (_e1904.member.member_3 != 4294967295u) {
+                        let _e1909 = (_e367 / 3i);
+                        let _e1916 = bitcast<f32>((bitcast<u32>((_e1909 + 127i)) << bitcast<u32>(23i)));
+                        let _e1924 = (((_e1904.member.member * _e1916) * _e1916) * bitcast<f32>((bitcast<u32>(((_e367 - (2i * _e1909)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1926 = select(340282350000000000000000000000000000000f, _e1924, (_e1924 < 340282350000000000000000000000000000000f));
+                        phi_3695_ = type_21(select(-340282350000000000000000000000000000000f, _e1926, (_e1926 > -340282350000000000000000000000000000000f)), _e1904.member.member_1, _e1904.member.member_2, _e1904.member.member_3);
                     } else {
-                        phi_3838_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3695_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1936 = phi_3838_;
+                    let _e1933 = phi_3695_;
                     if _e244 {
                     } else {
                         break;
                     }
-                    global_7.member[_e150] = _e1936;
+                    global_7.member[_e150] = _e1933;
                     if _e165 {
                     } else {
                         break;
                     }
-                    let _e1940 = select(0u, 1u, (_e311 <= _e321));
-                    if (_e1940 > 0u) {
-                        let _e1942 = (1u < _e118);
-                        if _e1942 {
+                    let _e1937 = select(0u, 1u, (_e311 <= _e321));
+                    if (_e1937 > 0u) {
+                        let _e1939 = (1u < _e118);
+                        if _e1939 {
                             if (0u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e1946 = atomicAdd((&global_8.member[0u]), _e1940);
-                            if ((_e1946 + _e1940) < _e1946) {
-                                if _e1942 {
+                            let _e1943 = atomicAdd((&global_8.member[0u]), _e1937);
+                            if ((_e1943 + _e1937) < _e1943) {
+                                if _e1939 {
                                 } else {
                                     break;
                                 }
-                                let _e1951 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e1948 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1954 = select(0u, 1u, (_e1936.member_3 != 4294967295u));
-                    if (_e1954 > 0u) {
-                        let _e1956 = (3u < _e118);
-                        if _e1956 {
+                    let _e1951 = select(0u, 1u, (_e1933.member_3 != 4294967295u));
+                    if (_e1951 > 0u) {
+                        let _e1953 = (3u < _e118);
+                        if _e1953 {
                             if (2u < _e118) {
                             } else {
                                 break;
                             }
-                            let _e1960 = atomicAdd((&global_8.member[2u]), _e1954);
-                            if ((_e1960 + _e1954) < _e1960) {
-                                if _e1956 {
+                            let _e1957 = atomicAdd((&global_8.member[2u]), _e1951);
+                            if ((_e1957 + _e1951) < _e1957) {
+                                if _e1953 {
                                 } else {
                                     break;
                                 }
-                                let _e1965 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e1962 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

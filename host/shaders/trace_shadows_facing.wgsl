@@ -101,12 +101,12 @@ struct type_67 {
 var<private> global: vec3<u32>;
 @group(0) @binding(0) 
 var<uniform> global_1: type_12;
-@group(0) @binding(1) 
-var<uniform> global_2: type_57;
-@group(0) @binding(2) 
-var<storage> global_3: type_39;
 @group(0) @binding(3) 
-var<storage> global_4: type_20;
+var<storage> global_2: type_20;
+@group(0) @binding(1) 
+var<uniform> global_3: type_57;
+@group(0) @binding(2) 
+var<storage> global_4: type_39;
 @group(0) @binding(4) 
 var<storage> global_5: type_4;
 @group(0) @binding(5) 
@@ -243,8 +243,8 @@ fn function_() {
     switch bitcast<i32>(0u) {
         default: {
             let _e73 = global;
-            let _e75 = arrayLength((&global_3.member));
-            let _e77 = arrayLength((&global_4.member));
+            let _e75 = arrayLength((&global_4.member));
+            let _e77 = arrayLength((&global_2.member));
             let _e89 = arrayLength((&global_7.member));
             let _e93 = (_e73.x + (_e73.y * 2097152u));
             let _e94 = (_e93 < arrayLength((&global_8.member)));
@@ -260,14 +260,14 @@ fn function_() {
             }
             let _e100 = phi_218_;
             let _e103 = global_1.member[0u];
-            let _e107 = global_2.member[0u][0u];
-            let _e111 = global_2.member[0u][1u];
-            let _e115 = global_2.member[0u][2u];
-            let _e119 = global_2.member[0u][3u];
-            let _e123 = global_2.member[1u][0u];
-            let _e127 = global_2.member[1u][1u];
-            let _e131 = global_2.member[1u][2u];
-            let _e135 = global_2.member[1u][3u];
+            let _e107 = global_3.member[0u][0u];
+            let _e111 = global_3.member[0u][1u];
+            let _e115 = global_3.member[0u][2u];
+            let _e119 = global_3.member[0u][3u];
+            let _e123 = global_3.member[1u][0u];
+            let _e127 = global_3.member[1u][1u];
+            let _e131 = global_3.member[1u][2u];
+            let _e135 = global_3.member[1u][3u];
             let _e136 = bitcast<f32>(_e107);
             let _e137 = bitcast<f32>(_e111);
             let _e138 = bitcast<f32>(_e115);
@@ -621,7 +621,7 @@ fn function_() {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e745 = global_4.member[_e740].member_1;
+                                                        let _e745 = global_2.member[_e740].member_1;
                                                         phi_932_ = _e745;
                                                     } else {
                                                         phi_932_ = 4294967295u;
@@ -643,61 +643,61 @@ fn function_() {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e757 = global_4.member[_e740].member[_e749];
+                                                        let _e757 = global_2.member[_e740].member[_e749];
                                                         if (_e750 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e763 = global_4.member[_e740].member[_e750];
+                                                        let _e763 = global_2.member[_e740].member[_e750];
                                                         if (_e751 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e769 = global_4.member[_e740].member[_e751];
+                                                        let _e769 = global_2.member[_e740].member[_e751];
                                                         let _e771 = (3u + _e749);
                                                         if (_e771 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e777 = global_4.member[_e740].member[_e771];
+                                                        let _e777 = global_2.member[_e740].member[_e771];
                                                         let _e778 = (3u + _e750);
                                                         if (_e778 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e784 = global_4.member[_e740].member[_e778];
+                                                        let _e784 = global_2.member[_e740].member[_e778];
                                                         let _e785 = (3u + _e751);
                                                         if (_e785 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e791 = global_4.member[_e740].member[_e785];
+                                                        let _e791 = global_2.member[_e740].member[_e785];
                                                         let _e793 = (6u + _e749);
                                                         if (_e793 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e799 = global_4.member[_e740].member[_e793];
+                                                        let _e799 = global_2.member[_e740].member[_e793];
                                                         let _e800 = (6u + _e750);
                                                         if (_e800 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e806 = global_4.member[_e740].member[_e800];
+                                                        let _e806 = global_2.member[_e740].member[_e800];
                                                         let _e807 = (6u + _e751);
                                                         if (_e807 < 9u) {
                                                         } else {
                                                             phi_2469_ = true;
                                                             break;
                                                         }
-                                                        let _e813 = global_4.member[_e740].member[_e807];
+                                                        let _e813 = global_2.member[_e740].member[_e807];
                                                         phi_1021_ = array<array<f32, 3>, 3>(array<f32, 3>(_e757, _e763, _e769), array<f32, 3>(_e777, _e784, _e791), array<f32, 3>(_e799, _e806, _e813));
                                                     }
                                                     let _e817 = phi_1021_;
@@ -1034,23 +1034,23 @@ fn function_() {
                                                     phi_2607_ = true;
                                                     break;
                                                 }
-                                                let _e536 = global_3.member[_e516].member[_e530];
+                                                let _e536 = global_4.member[_e516].member[_e530];
                                                 let _e542 = (_e304 % 3u);
                                                 if (_e542 < 3u) {
                                                 } else {
                                                     phi_2607_ = true;
                                                     break;
                                                 }
-                                                let _e548 = global_3.member[_e516].member[_e542];
+                                                let _e548 = global_4.member[_e516].member[_e542];
                                                 let _e554 = (_e306 % 3u);
                                                 if (_e554 < 3u) {
                                                 } else {
                                                     phi_2607_ = true;
                                                     break;
                                                 }
-                                                let _e560 = global_3.member[_e516].member[_e554];
-                                                let _e570 = global_3.member[_e516].member_1;
-                                                let _e574 = global_3.member[_e516].member_2;
+                                                let _e560 = global_4.member[_e516].member[_e554];
+                                                let _e570 = global_4.member[_e516].member_1;
+                                                let _e574 = global_4.member[_e516].member_2;
                                                 phi_1993_ = type_54(array<vec4<f32>, 3>(vec4<f32>(_e536[0], _e536[1], _e536[2], _e536[3]), vec4<f32>(_e548[0], _e548[1], _e548[2], _e548[3]), vec4<f32>(_e560[0], _e560[1], _e560[2], _e560[3])), _e570, _e574);
                                             }
                                             let _e577 = phi_1993_;

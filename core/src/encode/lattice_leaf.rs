@@ -93,46 +93,72 @@ pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
     }
 }
 
+/// [`encode_triangle`] in a leaf whose triangles are narrow.
+#[inline(always)]
+#[must_use]
+pub fn encode_narrow_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) -> [u32; 4] {
+    let [a, b, c] = corner(bounds, step);
+    let inverse = 1.0 / step;
+    // Sums of below 2^20 steps: no operation is ever rounded, fused or not.
+    let vertex = |[x, y, z]: [f32; 3]| {
+        let xy = (x - a) * inverse + (y - b) * (1024.0 * inverse);
+        low_bits(xy) | low_bits((z - c) * inverse) << 20
+    };
+    let v = &triangle.vertices;
+    [
+        vertex([v[0], v[1], v[2]]),
+        vertex([v[3], v[4], v[5]]),
+        vertex([v[6], v[7], v[8]]),
+        triangle.primitive,
+    ]
+}
+
+/// A box's smallest coordinates in the scene's unit.
+#[inline(always)]
+fn corner(bounds: &LatticeBox, step: f32) -> [f32; 3] {
+    let [x, y, z] = bounds.min;
+    [x as f32 * step, y as f32 * step, z as f32 * step]
+}
+
+/// A whole number from 0 to below 2^22: a sum with 2^23 holds it in its last bits.
+#[inline(always)]
+const fn low_bits(x: f32) -> u32 {
+    (x + 8_388_608.0).to_bits() & 0x003f_ffff
+}
+
 /// One thread per triangle. Reads it, its leaf's box, decoded, in which it lies, and the lattice's step, a power of two; its
 /// vertices are on the lattice. Returns its words, of which the box tells how many count.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn encode_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) -> [u32; 10] {
-    let width = LeafWidth::of(bounds);
-    let size = width.vertex_words() as usize;
-    let inverse = 1.0 / step;
-    let low = [
-        bounds.min[0] as f32 * step,
-        bounds.min[1] as f32 * step,
-        bounds.min[2] as f32 * step,
-    ];
-    // Below 2^21 steps, a sum with 2^23 holds them in its last bits. No operation is ever rounded.
-    let from_low = |i: usize| {
-        let steps = (triangle.vertices[i] - low[i % 3]) * inverse;
-        (steps + 8_388_608.0).to_bits() & 0x003f_ffff
-    };
-    let whole = |i: usize| lattice_steps(triangle.vertices[i], exponent(step)) as u32;
-    let mut words = [0; 10];
-    for corner in 0..3usize {
-        let (x, y, z) = (3 * corner, 3 * corner + 1, 3 * corner + 2);
-        let to = corner * size;
-        match width {
-            LeafWidth::Narrow => {
-                words[to % 10] = from_low(x) | from_low(y) << 10 | from_low(z) << 20;
-            }
-            LeafWidth::Middle => {
-                words[to % 10] = from_low(x) | from_low(y) << 21;
-                words[(to + 1) % 10] = from_low(y) >> 11 | from_low(z) << 10;
-            }
-            LeafWidth::Wide => {
-                words[to % 10] = whole(x);
-                words[(to + 1) % 10] = whole(y);
-                words[(to + 2) % 10] = whole(z);
-            }
+    let (v, primitive) = (&triangle.vertices, triangle.primitive);
+    match LeafWidth::of(bounds) {
+        LeafWidth::Narrow => {
+            let [a, b, c, d] = encode_narrow_triangle(triangle, bounds, step);
+            [a, b, c, d, 0, 0, 0, 0, 0, 0]
+        }
+        LeafWidth::Middle => {
+            let [x, y, z] = corner(bounds, step);
+            let inverse = 1.0 / step;
+            // No operation is ever rounded.
+            let vertex = |[a, b, c]: [f32; 3]| {
+                let y = low_bits((b - y) * inverse);
+                let [x, z] = [(a - x) * inverse, (c - z) * inverse];
+                [low_bits(x) | y << 21, y >> 11 | low_bits(z) << 10]
+            };
+            let [a, b] = vertex([v[0], v[1], v[2]]);
+            let [c, d] = vertex([v[3], v[4], v[5]]);
+            let [e, f] = vertex([v[6], v[7], v[8]]);
+            [a, b, c, d, e, f, primitive, 0, 0, 0]
+        }
+        LeafWidth::Wide => {
+            let whole = |x: f32| lattice_steps(x, exponent(step)) as u32;
+            let [a, b, c] = [whole(v[0]), whole(v[1]), whole(v[2])];
+            let [d, e, f] = [whole(v[3]), whole(v[4]), whole(v[5])];
+            let [g, h, i] = [whole(v[6]), whole(v[7]), whole(v[8])];
+            [a, b, c, d, e, f, g, h, i, primitive]
         }
     }
-    words[(3 * size) % 10] = triangle.primitive;
-    words
 }
 
 /// Triangles of the lattice codec. A leaf's triangles begin at a word.

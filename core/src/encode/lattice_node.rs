@@ -23,6 +23,7 @@
 
 use super::lattice_leaf::LeafWidth;
 use super::links::Links;
+use super::rounded::RoundedNode;
 use crate::lattice::LatticeBox;
 use crate::node::NodeRef;
 use crate::slab::PlanePair;
@@ -70,39 +71,138 @@ pub struct EncodedNode<const WORDS: usize> {
     pub right: LatticeBox,
 }
 
-/// One thread per node. Reads its box, decoded, and the smallest boxes on the lattice that hold its children, which lie in it.
-/// Returns the node, yet without links. `WORDS` must be [`node_words`] of `BITS`.
+/// One thread per node. Reads its box, decoded, and the node on the lattice, whose children's boxes lie in it. Returns it coded,
+/// yet without links. `WORDS` must be [`node_words`] of `BITS`.
 #[inline]
 #[must_use]
 pub fn encode_node<const BITS: u32, const WORDS: usize>(
     parent: &LatticeBox,
-    left: &LatticeBox,
-    right: &LatticeBox,
+    node: &RoundedNode,
 ) -> EncodedNode<WORDS> {
+    let ([a, b, c], [d, e, f]) = (parent.min, parent.max);
+    let x = sides::<BITS>(node.planes[0], a, d);
+    let y = sides::<BITS>(node.planes[1], b, e);
+    let z = sides::<BITS>(node.planes[2], c, f);
     let mut words = [0; WORDS];
-    for axis in 0..3usize {
-        let (low, high) = (parent.min[axis], parent.max[axis]);
-        let shift = shift::<BITS>(low, high);
-        let lower = side::<BITS>(
-            left.min[axis].wrapping_sub(low),
-            right.min[axis].wrapping_sub(low),
-            shift,
-        );
-        let upper = side::<BITS>(
-            high.wrapping_sub(left.max[axis]),
-            high.wrapping_sub(right.max[axis]),
-            shift,
-        );
-        let first = link_words(BITS) + axis * axis_words(BITS);
-        if axis_words(BITS) == 1 {
-            words[first % WORDS] = lower | upper << ((BITS + 1) & 31);
-        } else {
-            words[first % WORDS] = lower;
-            words[(first + 1) % WORDS] = upper;
-        }
-    }
-    let [left, right] = decode_node::<BITS, WORDS>(&words, parent);
+    put_sides::<BITS, WORDS>(&mut words, 0, x);
+    put_sides::<BITS, WORDS>(&mut words, 1, y);
+    put_sides::<BITS, WORDS>(&mut words, 2, z);
+    let [left, right] = boxes([
+        side_planes::<BITS>(x, a, d),
+        side_planes::<BITS>(y, b, e),
+        side_planes::<BITS>(z, c, f),
+    ]);
     EncodedNode { words, left, right }
+}
+
+/// One child's box as [`encode_node`] returns it, and nothing else.
+#[inline(always)]
+#[must_use]
+pub const fn encode_child<const BITS: u32>(
+    parent: &LatticeBox,
+    node: &RoundedNode,
+    is_left: bool,
+) -> LatticeBox {
+    let ([a, b, c], [d, e, f]) = (parent.min, parent.max);
+    let [x, u] = child_planes::<BITS>(node.planes[0], a, d, is_left);
+    let [y, v] = child_planes::<BITS>(node.planes[1], b, e, is_left);
+    let [z, w] = child_planes::<BITS>(node.planes[2], c, f, is_left);
+    LatticeBox {
+        min: [x, y, z],
+        max: [u, v, w],
+    }
+}
+
+/// A child's planes on one axis, from both children's and the parent's.
+#[inline(always)]
+const fn child_planes<const BITS: u32>(
+    planes: [i32; 4],
+    low: i32,
+    high: i32,
+    is_left: bool,
+) -> [i32; 2] {
+    let shift = shift::<BITS>(low, high);
+    let [lower, upper] = distances(planes, low, high);
+    [
+        low.wrapping_add(inside(lower, shift, is_left)),
+        high.wrapping_sub(inside(upper, shift, is_left)),
+    ]
+}
+
+/// How far a child's plane comes to lie from a side of its parent, from both children's distances.
+#[inline(always)]
+const fn inside([left, right]: [i32; 2], shift: u32, is_left: bool) -> i32 {
+    // As in `side`: the nearer child has the side, and the left one where both are as near.
+    let is_right = left > right;
+    let inner = if is_right { left } else { right };
+    if is_right == is_left {
+        (inner >> shift) << shift
+    } else {
+        0
+    }
+}
+
+/// How far both children's planes lie from the lower and from the upper side of their parent.
+#[inline(always)]
+const fn distances([a, b, c, d]: [i32; 4], low: i32, high: i32) -> [[i32; 2]; 2] {
+    [
+        [a.wrapping_sub(low), b.wrapping_sub(low)],
+        [high.wrapping_sub(c), high.wrapping_sub(d)],
+    ]
+}
+
+/// Both sides of an axis.
+#[inline(always)]
+const fn sides<const BITS: u32>(planes: [i32; 4], low: i32, high: i32) -> [u32; 2] {
+    let shift = shift::<BITS>(low, high);
+    let [lower, upper] = distances(planes, low, high);
+    [side::<BITS>(lower, shift), side::<BITS>(upper, shift)]
+}
+
+/// Puts both sides of an axis into a node's words.
+#[inline(always)]
+const fn put_sides<const BITS: u32, const WORDS: usize>(
+    words: &mut [u32; WORDS],
+    axis: usize,
+    [lower, upper]: [u32; 2],
+) {
+    let first = link_words(BITS) + axis * axis_words(BITS);
+    if axis_words(BITS) == 1 {
+        words[first % WORDS] = lower | upper << ((BITS + 1) & 31);
+    } else {
+        words[first % WORDS] = lower;
+        words[(first + 1) % WORDS] = upper;
+    }
+}
+
+/// Both sides of an axis, from a node's words. Higher bits are others'.
+#[inline(always)]
+const fn sides_of<const BITS: u32, const WORDS: usize>(
+    words: &[u32; WORDS],
+    axis: usize,
+) -> [u32; 2] {
+    let first = link_words(BITS) + axis * axis_words(BITS);
+    if axis_words(BITS) == 1 {
+        let word = words[first % WORDS];
+        [word, word >> ((BITS + 1) & 31)]
+    } else {
+        [words[first % WORDS], words[(first + 1) % WORDS]]
+    }
+}
+
+/// Both children's boxes, from their planes on each axis.
+#[inline(always)]
+const fn boxes([x, y, z]: [[i32; 4]; 3]) -> [LatticeBox; 2] {
+    [
+        LatticeBox {
+            min: [x[0], y[0], z[0]],
+            max: [x[2], y[2], z[2]],
+        },
+        LatticeBox {
+            min: [x[1], y[1], z[1]],
+            max: [x[3], y[3], z[3]],
+        },
+    ]
 }
 
 /// One thread per node. Reads its words without links. Returns them with links.
@@ -120,9 +220,9 @@ pub fn with_links<const BITS: u32, const WORDS: usize>(
     if link_words(BITS) > 1 {
         words[1 % WORDS] = b;
     }
-    for axis in 0..3usize {
-        words[last_word(BITS, axis) % WORDS] |= link_piece::<BITS>(a, b, axis);
-    }
+    words[last_word(BITS, 0) % WORDS] |= link_piece::<BITS>(a, b, 0);
+    words[last_word(BITS, 1) % WORDS] |= link_piece::<BITS>(a, b, 1);
+    words[last_word(BITS, 2) % WORDS] |= link_piece::<BITS>(a, b, 2);
     words
 }
 
@@ -147,20 +247,12 @@ pub fn decode_node<const BITS: u32, const WORDS: usize>(
     words: &[u32; WORDS],
     parent: &LatticeBox,
 ) -> [LatticeBox; 2] {
-    let mut children = [LatticeBox::ZERO; 2];
-    for axis in 0..3usize {
-        let first = link_words(BITS) + axis * axis_words(BITS);
-        let sides = [
-            words[first % WORDS],
-            words[(first + axis_words(BITS) - 1) % WORDS],
-        ];
-        let planes = axis_planes::<BITS>(sides, parent.min[axis], parent.max[axis]);
-        children[0].min[axis] = planes[0];
-        children[1].min[axis] = planes[1];
-        children[0].max[axis] = planes[2];
-        children[1].max[axis] = planes[3];
-    }
-    children
+    let ([a, b, c], [d, e, f]) = (parent.min, parent.max);
+    boxes([
+        side_planes::<BITS>(sides_of::<BITS, WORDS>(words, 0), a, d),
+        side_planes::<BITS>(sides_of::<BITS, WORDS>(words, 1), b, e),
+        side_planes::<BITS>(sides_of::<BITS, WORDS>(words, 2), c, f),
+    ])
 }
 
 /// By how much numbers are shifted in a box between two planes.
@@ -177,21 +269,16 @@ const fn shift<const BITS: u32>(low: i32, high: i32) -> u32 {
 
 /// A side: which child has it, and the other's number. Distances from the side are never negative.
 #[inline(always)]
-const fn side<const BITS: u32>(left: i32, right: i32, shift: u32) -> u32 {
+const fn side<const BITS: u32>([left, right]: [i32; 2], shift: u32) -> u32 {
     let is_right = left > right;
     let inner = if is_right { left } else { right };
     (inner as u32 >> shift) & ((1 << BITS) - 1) | (is_right as u32) << BITS
 }
 
-/// The planes of one axis: left min, right min, left max, right max.
+/// The planes of one axis, from both its sides: left min, right min, left max, right max. Bits above a side's do not count.
 #[inline(always)]
-const fn axis_planes<const BITS: u32>([lower, upper]: [u32; 2], low: i32, high: i32) -> [i32; 4] {
+const fn side_planes<const BITS: u32>([lower, upper]: [u32; 2], low: i32, high: i32) -> [i32; 4] {
     let mask = (1 << BITS) - 1;
-    let upper = if axis_words(BITS) == 1 {
-        upper >> ((BITS + 1) & 31)
-    } else {
-        upper
-    };
     let shift = shift::<BITS>(low, high);
     let inner_low = low.wrapping_add(((lower & mask) << shift) as i32);
     let inner_high = high.wrapping_sub(((upper & mask) << shift) as i32);
@@ -316,7 +403,7 @@ pub struct LatticeNodes<'a, const BITS: u32, const WORDS: usize, const MIXED: bo
     pub step: f32,
 }
 
-/// [`axis_planes`] of three axes in the scene's unit, in floats: each is a whole number of steps, of less than 2^24, and exact.
+/// [`side_planes`] of three axes in the scene's unit, in floats: each is a whole number of steps, of less than 2^24, and exact.
 /// An extent of more may be rounded, but never to another exponent. Lanes are axes, in the ray's order.
 #[inline(always)]
 fn child_frames<const BITS: u32>(
@@ -426,20 +513,10 @@ impl<const BITS: u32, const WORDS: usize, const MIXED: bool> NodeSource
         }
         // Words are read where they lie, by axis.
         let words = &self.nodes[index];
-        let lower = |i: usize| {
-            let first = link_words(BITS) + axes[i] as usize * axis_words(BITS);
-            words[first % WORDS]
-        };
-        let upper = |i: usize| {
-            let word = words[last_word(BITS, axes[i] as usize) % WORDS];
-            if axis_words(BITS) == 1 {
-                word >> ((BITS + 1) & 31)
-            } else {
-                word
-            }
-        };
-        let lower = [lower(0), lower(1), lower(2), 0];
-        let upper = [upper(0), upper(1), upper(2), 0];
+        let [a, d] = sides_of::<BITS, WORDS>(words, axes[0] as usize);
+        let [b, e] = sides_of::<BITS, WORDS>(words, axes[1] as usize);
+        let [c, f] = sides_of::<BITS, WORDS>(words, axes[2] as usize);
+        let (lower, upper) = ([a, b, c, 0], [d, e, f, 0]);
         let [left, right] = child_frames::<BITS>(lower, upper, &cursor.bounds, self.step);
         let planes = [
             PlanePair::new(left.min.x, right.min.x, left.max.x, right.max.x),
@@ -517,6 +594,14 @@ mod tests {
         })
     }
 
+    /// A node with these boxes.
+    fn rounded(left: &LatticeBox, right: &LatticeBox) -> RoundedNode {
+        RoundedNode {
+            planes: [0, 1, 2].map(|i| [left.min[i], right.min[i], left.max[i], right.max[i]]),
+            ..RoundedNode::EMPTY
+        }
+    }
+
     fn family() -> impl Strategy<Value = [LatticeBox; 3]> {
         any_box()
             .prop_flat_map(|parent| (Just(parent), inside(parent), inside(parent)))
@@ -532,7 +617,8 @@ mod tests {
         given: Links,
     ) -> Result<(), TestCaseError> {
         assert_eq!(WORDS, node_words(BITS));
-        let node = encode_node::<BITS, WORDS>(&parent, &left, &right);
+        let rounded = rounded(&left, &right);
+        let node = encode_node::<BITS, WORDS>(&parent, &rounded);
         for (decoded, exact) in [(node.left, left), (node.right, right)] {
             prop_assert!(decoded.contains(&exact), "{decoded:?} {exact:?}");
             prop_assert!(parent.contains(&decoded));
@@ -546,6 +632,8 @@ mod tests {
                 prop_assert!(slack(decoded.max[axis], exact.max[axis], parent.max[axis]));
             }
         }
+        prop_assert_eq!(encode_child::<BITS>(&parent, &rounded, true), node.left);
+        prop_assert_eq!(encode_child::<BITS>(&parent, &rounded, false), node.right);
         let words = with_links::<BITS, WORDS>(node.words, given);
         prop_assert_eq!(links_of::<BITS, WORDS>(&words), given);
         prop_assert_eq!(
@@ -607,7 +695,7 @@ mod tests {
                         max: [high - 7; 3],
                     };
                     for (left, right) in [(child, parent), (parent, child), (child, child)] {
-                        let node = encode_node::<3, 3>(&parent, &left, &right);
+                        let node = encode_node::<3, 3>(&parent, &rounded(&left, &right));
                         assert!(node.left.contains(&left) && node.right.contains(&right));
                         assert!(parent.contains(&node.left) && parent.contains(&node.right));
                     }
@@ -631,7 +719,7 @@ mod tests {
             min: [599, -100, 2],
             max: [1123, 0, 7],
         };
-        let node = encode_node::<10, 4>(&parent, &left, &right);
+        let node = encode_node::<10, 4>(&parent, &rounded(&left, &right));
         assert_eq!((node.left, node.right), (left, right));
     }
 }

@@ -3,51 +3,70 @@
 //! A node is coded in its own box as it comes out of the codec, and that depends on all above it. Nodes below a left child
 //! come before those below a right one, so that comparing indices leads to any of them; on the way each box is coded anew.
 
-use super::lattice_node::{EncodedNode, encode_node};
+use super::lattice_node::{EncodedNode, encode_child, encode_node};
 use super::printed::{EncodedPrinted, PrintedBox, encode_printed_node, printed_child};
-use crate::aabb::Aabb;
+use super::rounded::RoundedNode;
 use crate::lattice::LatticeBox;
 use crate::node::{Node, NodeRef};
 use crate::trace::STACK_SIZE;
 
+/// What a codec reads of a node.
+pub trait PlainNode: Copy {
+    /// A node without triangles.
+    const EMPTY: Self;
+
+    /// The left child and the right one.
+    fn children(&self) -> [NodeRef; 2];
+}
+
+impl PlainNode for Node {
+    const EMPTY: Self = Self::EMPTY;
+
+    #[inline(always)]
+    fn children(&self) -> [NodeRef; 2] {
+        [self.left, self.right]
+    }
+}
+
+impl PlainNode for RoundedNode {
+    const EMPTY: Self = Self::EMPTY;
+
+    #[inline(always)]
+    fn children(&self) -> [NodeRef; 2] {
+        [self.left, self.right]
+    }
+}
+
 /// A codec, as far as boxes go.
 pub trait BoxCodec {
+    /// What it reads.
+    type Node: PlainNode;
+
     /// A box, decoded.
     type Bounds: Copy;
 
-    /// The root's box.
-    fn root(&self, bounds: &Aabb) -> Self::Bounds;
+    /// The root's box: the origin, where there is nothing in it.
+    fn root(&self, node: &Self::Node) -> Self::Bounds;
 
     /// A child's box, from its parent's and the plain parent.
-    fn child(&self, bounds: &Self::Bounds, node: &Node, is_left: bool) -> Self::Bounds;
-}
-
-/// The root's box of a plain tree: the origin, where there is nothing in it.
-#[inline]
-#[must_use]
-pub fn root_bounds<C: BoxCodec>(nodes: &[Node], codec: &C) -> C::Bounds {
-    let boxes = crate::load(nodes, 0, Node::EMPTY).child_boxes();
-    codec.root(&boxes.left.union(boxes.right))
+    fn child(&self, bounds: &Self::Bounds, node: &Self::Node, is_left: bool) -> Self::Bounds;
 }
 
 /// A node's own box, decoded. Reads the plain nodes above it, and no more of them than any tree is deep.
 #[inline]
 #[must_use]
-pub fn node_bounds<C: BoxCodec>(target: u32, nodes: &[Node], codec: &C) -> C::Bounds {
-    let mut bounds = root_bounds(nodes, codec);
+pub fn node_bounds<C: BoxCodec>(target: u32, nodes: &[C::Node], codec: &C) -> C::Bounds {
+    let mut bounds = codec.root(&crate::load(nodes, 0, C::Node::EMPTY));
     let mut at = 0;
     for _ in 0..STACK_SIZE as u32 {
         if at == target {
             break;
         }
-        let node = crate::load(nodes, at, Node::EMPTY);
-        let is_left = is_below_left(target, node.left);
+        let node = crate::load(nodes, at, C::Node::EMPTY);
+        let [left, right] = node.children();
+        let is_left = is_below_left(target, left);
         bounds = codec.child(&bounds, &node, is_left);
-        at = if is_left {
-            node.left.index()
-        } else {
-            node.right.index()
-        };
+        at = if is_left { left.index() } else { right.index() };
     }
     bounds
 }
@@ -58,37 +77,33 @@ const fn is_below_left(target: u32, left: NodeRef) -> bool {
     !left.is_leaf() && target <= left.index()
 }
 
-/// The lattice codec with so many bits and words a node, on a lattice whose step is two to this power.
+/// The lattice codec with so many bits and words a node.
 #[derive(Clone, Copy, Debug)]
-pub struct LatticeCodec<const BITS: u32, const WORDS: usize> {
-    /// In the scene's magnitude.
-    pub step_exponent: i32,
-}
+pub struct LatticeCodec<const BITS: u32, const WORDS: usize>;
 
 impl<const BITS: u32, const WORDS: usize> LatticeCodec<BITS, WORDS> {
     /// One thread per node. Reads the plain node and its box, decoded. Returns it in the codec, yet without links.
     #[inline]
     #[must_use]
-    pub fn encode(&self, bounds: &LatticeBox, node: &Node) -> EncodedNode<WORDS> {
-        let boxes = node.child_boxes();
-        let left = LatticeBox::around(&boxes.left, self.step_exponent);
-        let right = LatticeBox::around(&boxes.right, self.step_exponent);
-        encode_node::<BITS, WORDS>(bounds, &left, &right)
+    pub fn encode(&self, bounds: &LatticeBox, node: &RoundedNode) -> EncodedNode<WORDS> {
+        encode_node::<BITS, WORDS>(bounds, node)
     }
 }
 
 impl<const BITS: u32, const WORDS: usize> BoxCodec for LatticeCodec<BITS, WORDS> {
+    type Node = RoundedNode;
     type Bounds = LatticeBox;
 
     #[inline(always)]
-    fn root(&self, bounds: &Aabb) -> LatticeBox {
-        LatticeBox::around(bounds, self.step_exponent)
+    fn root(&self, node: &RoundedNode) -> LatticeBox {
+        let [left, right] = node.boxes();
+        left.union(&right)
     }
 
+    /// A fraction of what [`Self::encode`] does.
     #[inline(always)]
-    fn child(&self, bounds: &LatticeBox, node: &Node, is_left: bool) -> LatticeBox {
-        let encoded = self.encode(bounds, node);
-        if is_left { encoded.left } else { encoded.right }
+    fn child(&self, bounds: &LatticeBox, node: &RoundedNode, is_left: bool) -> LatticeBox {
+        encode_child::<BITS>(bounds, node, is_left)
     }
 }
 
@@ -111,11 +126,13 @@ impl PrintedCodec {
 }
 
 impl BoxCodec for PrintedCodec {
+    type Node = Node;
     type Bounds = PrintedBox;
 
     #[inline(always)]
-    fn root(&self, bounds: &Aabb) -> PrintedBox {
-        PrintedBox::of(bounds)
+    fn root(&self, node: &Node) -> PrintedBox {
+        let boxes = node.child_boxes();
+        PrintedBox::of(&boxes.left.union(boxes.right))
     }
 
     /// Half of what [`Self::encode`] does.
@@ -130,6 +147,7 @@ impl BoxCodec for PrintedCodec {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::aabb::Aabb;
     use glam::Vec3;
 
     fn bounds(min: [f32; 3], max: [f32; 3]) -> Aabb {
@@ -162,18 +180,20 @@ mod tests {
     #[test]
     fn every_node_is_found_with_the_box_that_its_parent_decodes() {
         let nodes = tree();
-        let lattice = LatticeCodec::<6, 4> { step_exponent: -20 };
-        let root = root_bounds(&nodes, &lattice);
-        let top = lattice.encode(&root, &nodes[0]);
-        let below = lattice.encode(&top.left, &nodes[2]);
+        let rounded = nodes.map(|node| RoundedNode::new(&node, -20));
+        let lattice = LatticeCodec::<6, 4>;
+        let root = lattice.root(&rounded[0]);
+        let top = lattice.encode(&root, &rounded[0]);
+        let below = lattice.encode(&top.left, &rounded[2]);
         let expected = [root, below.left, top.left, top.right];
         for (target, expected) in (0..).zip(expected) {
-            assert_eq!(node_bounds(target, &nodes, &lattice), expected, "{target}");
+            let found = node_bounds(target, &rounded, &lattice);
+            assert_eq!(found, expected, "{target}");
         }
         assert!(below.left != top.left);
 
         let printed = PrintedCodec { zero: 0 };
-        let root = root_bounds(&nodes, &printed);
+        let root = printed.root(&nodes[0]);
         let top = printed.encode(&root, &nodes[0]);
         let below = printed.encode(&top.left, &nodes[2]);
         let expected = [root, below.left, top.left, top.right];
@@ -184,9 +204,11 @@ mod tests {
 
     #[test]
     fn what_is_not_there_ends() {
-        let lattice = LatticeCodec::<6, 4> { step_exponent: -20 };
+        let lattice = LatticeCodec::<6, 4>;
         assert_eq!(node_bounds(7, &[], &lattice), LatticeBox::ZERO);
-        let _ = node_bounds(7, &tree(), &lattice);
-        assert_eq!(root_bounds(&[Node::EMPTY], &lattice), LatticeBox::ZERO);
+        let rounded = tree().map(|node| RoundedNode::new(&node, -20));
+        let _ = node_bounds(7, &rounded, &lattice);
+        let printed = PrintedCodec { zero: 0 };
+        assert_eq!(printed.root(&Node::EMPTY), PrintedBox::ZERO);
     }
 }

@@ -47,7 +47,7 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 109] = [
+const ENTRY_POINTS: [&str; 110] = [
     "bounds",
     "call_trace",
     "camera_encode",
@@ -79,6 +79,7 @@ const ENTRY_POINTS: [&str; 109] = [
     "morton_63",
     "refit_groups",
     "refit_nodes",
+    "refit_rounded",
     "refit_parents",
     "refit_splits",
     "scan_apply",

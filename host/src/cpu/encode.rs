@@ -9,8 +9,8 @@ use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
     BoxCodec, FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedTriangle, decode_node, encode_printed_triangle, encode_triangle, root_bounds,
-    scaled_step, with_links,
+    PrintedTriangle, RoundedNode, decode_node, encode_narrow_triangle, encode_printed_triangle,
+    encode_triangle, scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -126,11 +126,6 @@ impl Tree<'_> {
         }
         refit_node(bare.into(), split, self.leaves, self.pyramid)
     }
-
-    /// The root's box, decoded.
-    fn root<C: BoxCodec>(&self, codec: &C) -> C::Bounds {
-        root_bounds(&[self.node(0)], codec)
-    }
 }
 
 /// A node to be coded, and the parts of the lists that it and its descendants fill.
@@ -245,7 +240,8 @@ fn lattice_words<'a>(
     to: &'a mut CodedNodes,
 ) -> (LatticeBox, &'a mut [u32]) {
     // All widths have the same.
-    let root = tree.root(&LatticeCodec::<10, 4> { step_exponent });
+    let root = RoundedNode::new(&tree.node(0), step_exponent);
+    let root = LatticeCodec::<10, 4>.root(&root);
     let old = std::mem::replace(
         to,
         CodedNodes::Printed {
@@ -296,6 +292,16 @@ impl OnLattice<'_> {
         }
     }
 
+    /// Puts a leaf's triangles in place, which are narrow.
+    fn put_narrow(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
+        let first = leaf.first() as usize;
+        let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
+        let step = power_of_two(self.step_exponent);
+        for (to, leaf) in words.as_chunks_mut::<NARROW>().0.iter_mut().zip(leaves) {
+            *to = encode_narrow_triangle(leaf, bounds, step);
+        }
+    }
+
     /// Puts a leaf's triangles in place, of so many words each.
     fn put<const SIZE: usize>(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
@@ -316,10 +322,8 @@ fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
 ) {
     let tree = lattice.tree;
     let node = tree.node(part.node);
-    let codec = LatticeCodec::<BITS, WORDS> {
-        step_exponent: lattice.step_exponent,
-    };
-    let coded = codec.encode(&part.bounds, &node);
+    let rounded = RoundedNode::new(&node, lattice.step_exponent);
+    let coded = LatticeCodec::<BITS, WORDS>.encode(&part.bounds, &rounded);
     part.nodes[part.node as usize - part.first_node] = link(&node, coded.words);
     let per_triangle = part.per_triangle;
     let place_of = |triangle: u32| per_triangle * triangle as usize;
@@ -371,7 +375,7 @@ fn fill_narrow<const BITS: u32, const WORDS: usize>(
     let is_wide = AtomicBool::new(false);
     let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
         if LeafWidth::of(bounds) == LeafWidth::Narrow {
-            lattice.put::<NARROW>(leaf, bounds, words);
+            lattice.put_narrow(leaf, bounds, words);
         } else {
             is_wide.store(true, Relaxed);
         }
@@ -433,7 +437,7 @@ fn place_triangles<const BITS: u32, const WORDS: usize>(
             return;
         }
         match LeafWidth::of(&part.bounds) {
-            LeafWidth::Narrow => lattice.put::<NARROW>(child, &part.bounds, part.triangles),
+            LeafWidth::Narrow => lattice.put_narrow(child, &part.bounds, part.triangles),
             LeafWidth::Middle => lattice.put::<MIDDLE>(child, &part.bounds, part.triangles),
             LeafWidth::Wide => lattice.put::<WIDE>(child, &part.bounds, part.triangles),
         }
@@ -447,7 +451,7 @@ fn encode_printed(
     triangles: &mut [PrintedTriangle],
 ) -> PrintedBox {
     nodes.resize(tree.nodes.len(), PrintedNode::default());
-    let root = tree.root(&CODEC);
+    let root = CODEC.root(&tree.node(0));
     let part = Part {
         node: 0,
         bounds: root,

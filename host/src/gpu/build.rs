@@ -14,6 +14,7 @@ use crate::codec::most_triangles;
 use crate::{BuildConfig, CodeBits, MeshCodec, MeshError, RefitError};
 use slimbvh_core::aabb::Aabb;
 use slimbvh_core::bounds::scene_exponent;
+use slimbvh_core::encode::FINEST_STEP;
 use slimbvh_core::launch::{BLOCK, LANES, dispatch};
 use slimbvh_core::refit::{PyramidBox, group_count};
 use slimbvh_core::topology::depth_bound;
@@ -537,10 +538,7 @@ impl Builder {
     /// Stage `encode`, where a codec is asked for.
     fn record_encode(&mut self, gpu: &Gpu, recorder: &mut Recorder, bvh: &Built) {
         let Some(coded) = &bvh.coded else { return };
-        let step_exponent = match self.config.mesh {
-            MeshCodec::Lattice { step_exponent } => step_exponent,
-            MeshCodec::F32 | MeshCodec::Leaf10 => 0,
-        };
+        let step = self.lattice_step();
         let node_groups = self.scratch.node_groups.range(gpu, 12);
         let each_node = || {
             if bvh.triangle_count == 0 {
@@ -550,7 +548,15 @@ impl Builder {
             }
         };
         let encoder = &mut self.scratch.encoder;
-        encoder.record(gpu, recorder, bvh, coded, step_exponent, each_node);
+        encoder.record(gpu, recorder, bvh, coded, step, each_node);
+    }
+
+    /// The exponent of the lattice's step, and whether that is in the mesh's unit.
+    const fn lattice_step(&self) -> [u32; 4] {
+        match self.config.mesh {
+            MeshCodec::Lattice { step_exponent } => [step_exponent as u32, 1, 0, 0],
+            MeshCodec::F32 | MeshCodec::Leaf10 => [FINEST_STEP as u32, 0, 0, 0],
+        }
     }
 
     /// A hierarchy over nothing.
@@ -685,13 +691,17 @@ impl Builder {
             let kernel = Kernel::refit_splits;
             recorder.dispatch(kernel, &[total], &[&bvh.nodes], &[splits], each_node());
         }
-        recorder.update(
-            Kernel::refit_nodes,
-            &[total],
-            &[&bvh.triangles, pyramid, splits],
-            &[&bvh.nodes],
-            each_node(),
-        );
+        let from = &[&bvh.triangles, pyramid, splits];
+        let is_lattice = bvh.coding().is_some_and(Coding::is_lattice);
+        if is_lattice {
+            let step = Uniform::Params(self.lattice_step());
+            let uniforms = &[total, Uniform::Stored(&bvh.exponent), step];
+            let kernel = Kernel::refit_rounded;
+            recorder.update(kernel, uniforms, from, &[&bvh.nodes], each_node());
+        } else {
+            let kernel = Kernel::refit_nodes;
+            recorder.update(kernel, &[total], from, &[&bvh.nodes], each_node());
+        }
     }
 
     /// A place for the last triangle of each node's left child.

@@ -54,6 +54,11 @@ impl Coding {
         }
     }
 
+    /// Whether nodes are on a lattice.
+    pub const fn is_lattice(self) -> bool {
+        !matches!(self, Self::PrintedF32 | Self::PrintedLeaf10)
+    }
+
     /// Whether triangles take as many words as their leaf needs.
     pub const fn is_mixed(self) -> bool {
         matches!(self, Self::Q10Lattice | Self::Q21Lattice)

@@ -42,15 +42,15 @@ impl Encoder {
         self.triangles.range(gpu, bytes)
     }
 
-    /// Records that a plain hierarchy be coded; `each_node` gives every node a thread, `step_exponent` is that of the mesh's
-    /// lattice, in the caller's unit.
+    /// Records that a plain hierarchy be coded; `each_node` gives every node a thread, `step` is that of the lattice,
+    /// as kernels want it.
     pub fn record(
         &mut self,
         gpu: &Gpu,
         recorder: &mut Recorder,
         bvh: &Built,
         coded: &Coded,
-        step_exponent: i32,
+        step: [u32; 4],
         each_node: impl Fn() -> Groups,
     ) {
         recorder.stage("encode");
@@ -93,7 +93,7 @@ impl Encoder {
             .range(gpu, 4 * u64::from(bvh.triangle_count.max(1)));
         // A reduced hierarchy has no more triangles than that, and a scan sums all there are.
         recorder.clear(sizes);
-        let step = Uniform::Params([step_exponent as u32, 0, 0, 0]);
+        let step = Uniform::Params(step);
         recorder.dispatch(
             sizes_kernel,
             &[total, Uniform::Stored(&bvh.exponent), step],

@@ -43,7 +43,7 @@ kernels! {
     compact_counts, compact,
     snap_30, snap_63, snap_again,
     topology_kept_30, topology_kept_63, topology_nodes_30, topology_nodes_63,
-    refit_groups, refit_parents, refit_nodes, refit_splits,
+    refit_groups, refit_parents, refit_nodes, refit_rounded, refit_splits,
     encode_printed_f32, encode_printed_leaf10, encode_q10_f32, encode_q21_f32,
     encode_q10_sizes, encode_q10_lattice, encode_q21_sizes, encode_q21_lattice,
     camera_rays, camera_resolve, camera_encode,

@@ -15,7 +15,7 @@ use slimbvh_core::decide::{
 use slimbvh_core::encode::{
     EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeNodes, LatticeTriangles,
     LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes, PrintedTriangle,
-    PrintedTriangles, RootWords, decode_node, decode_printed_node, encode_printed_triangle,
+    PrintedTriangles, RootWords, RoundedNode, decode_node, decode_printed_node, encode_printed_triangle,
     encode_triangle, links_of, node_bounds, scaled_step, with_links,
 };
 use slimbvh_core::float::{PowerOfTwo, power_of_two};
@@ -144,19 +144,18 @@ pub fn refit(
 #[inline(always)]
 fn encode_on_lattice<const BITS: u32, const WORDS: usize>(
     i: u32,
-    nodes: &[Node],
+    nodes: &[RoundedNode],
     node: &Node,
     to: Out<(EncodedNode<WORDS>, [u32; WORDS], [LatticeBox; 2], RootWords)>,
 ) -> u32 {
-    let codec = LatticeCodec::<BITS, WORDS> {
-        step_exponent: scaled_step(FINEST_STEP, i as i32),
-    };
+    let codec = LatticeCodec::<BITS, WORDS>;
+    let step_exponent = scaled_step(FINEST_STEP, i as i32);
     let bounds = node_bounds(i, nodes, &codec);
-    let encoded = codec.encode(&bounds, node);
+    let encoded = codec.encode(&bounds, &RoundedNode::new(node, step_exponent));
     let triangle = Links::first_triangle(node.left, node.right);
     let links = Links::new(node.left, node.right, triangle);
     let words = with_links::<BITS, WORDS>(encoded.words, links);
-    let root = RootWords::of_lattice(&bounds, codec.step_exponent);
+    let root = RootWords::of_lattice(&bounds, step_exponent);
     *to = (
         encoded,
         words,
@@ -171,7 +170,7 @@ fn encode_on_lattice<const BITS: u32, const WORDS: usize>(
 #[unsafe(no_mangle)]
 pub fn encode_lattice_10(
     i: u32,
-    nodes: &[Node],
+    nodes: &[RoundedNode],
     node: &Node,
     to: Out<(EncodedNode<4>, [u32; 4], [LatticeBox; 2], RootWords)>,
 ) -> u32 {
@@ -181,7 +180,7 @@ pub fn encode_lattice_10(
 #[unsafe(no_mangle)]
 pub fn encode_lattice_21(
     i: u32,
-    nodes: &[Node],
+    nodes: &[RoundedNode],
     node: &Node,
     to: Out<(EncodedNode<7>, [u32; 7], [LatticeBox; 2], RootWords)>,
 ) -> u32 {

@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use slimbvh::{BuildConfig, Builder, Bvh, LatticeBits, MeshCodec, NodeCodec};
 use slimbvh_core::encode::{
-    BoxCodec, FINEST_STEP, LatticeCodec, Links, PrintedCodec, RootWords, node_bounds, with_links,
+    BoxCodec, FINEST_STEP, LatticeCodec, Links, PrintedCodec, RootWords, RoundedNode, node_bounds,
+    with_links,
 };
 use slimbvh_core::{Aabb, Node, NodeRef};
 use slimbvh_tests::oracle::brute::{Answers, Parts};
@@ -76,9 +77,9 @@ fn stray(bvh: &Bvh) -> Option<usize> {
 
 /// The bytes of all nodes, each found and coded by itself.
 fn alone<C: BoxCodec>(
-    plain: &[Node],
+    plain: &[C::Node],
     codec: &C,
-    bytes_of: impl Fn(&C::Bounds, &Node) -> Vec<u8>,
+    bytes_of: impl Fn(&C::Bounds, &C::Node) -> Vec<u8>,
 ) -> Vec<u8> {
     let node = |(i, node)| bytes_of(&node_bounds(i, plain, codec), node);
     (0..).zip(plain).flat_map(node).collect()
@@ -87,14 +88,16 @@ fn alone<C: BoxCodec>(
 /// [`alone`], and the root, on the finest lattice.
 fn alone_on_lattice<const BITS: u32, const WORDS: usize>(plain: &[Node]) -> (Vec<u8>, RootWords) {
     let step_exponent = FINEST_STEP;
-    let codec = LatticeCodec::<BITS, WORDS> { step_exponent };
-    let nodes = alone(plain, &codec, |bounds, node| {
+    let codec = LatticeCodec::<BITS, WORDS>;
+    let rounded = |node| RoundedNode::new(node, step_exponent);
+    let rounded: Vec<RoundedNode> = plain.iter().map(rounded).collect();
+    let nodes = alone(&rounded, &codec, |bounds, node| {
         let triangle = Links::first_triangle(node.left, node.right);
         let links = Links::new(node.left, node.right, triangle);
         let words = with_links::<BITS, WORDS>(codec.encode(bounds, node).words, links);
         bytemuck::cast_slice(&words).to_vec()
     });
-    let root = node_bounds(0, plain, &codec);
+    let root = node_bounds(0, &rounded, &codec);
     (nodes, RootWords::of_lattice(&root, step_exponent))
 }
 
