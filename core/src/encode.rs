@@ -18,7 +18,8 @@ mod rounded;
 mod walk;
 
 pub use lattice_leaf::{
-    FINEST_STEP, LatticeTriangles, LeafWidth, encode_narrow_triangle, encode_triangle, scaled_step,
+    FINEST_STEP, LatticeTriangles, LeafCorner, LeafWidth, encode_narrow_triangle, encode_triangle,
+    scaled_step,
 };
 pub use lattice_node::{
     EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_child, encode_node,

@@ -3,7 +3,7 @@
 use crate::thread_index;
 use glam::{UVec3, UVec4};
 use slimbvh_core::encode::{
-    FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
+    FINEST_STEP, LatticeCodec, LeafCorner, Links, PrintedBox, PrintedCodec, PrintedNode,
     PrintedTriangle, RootWords, RoundedNode, decode_node, encode_printed_triangle, encode_triangle,
     node_bounds, scaled_step, with_links,
 };
@@ -83,8 +83,8 @@ pub fn encode_q21_f32(
     store_lattice_node::<21, 7>(thread_index(id), total, plain, nodes, root);
 }
 
-/// One thread per node. Reads the number of nodes, what [`lattice_step`] does, and the plain nodes on that lattice. Stores the node in 10 bits on that lattice, yet without links, its box, the words that each triangle of the
-/// leaves below it takes, and the root's box.
+/// One thread per node. Reads the number of nodes, what [`lattice_step`] does, and the plain nodes on that lattice. Stores the node in 10 bits, yet without links, the corners of the leaves
+/// below it and the words of a triangle, both for each of their triangles, and the root's box.
 #[spirv(compute(threads(64)))]
 pub fn encode_q10_sizes(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -93,12 +93,12 @@ pub fn encode_q10_sizes(
     #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] corners: &mut [LeafCorner],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
 ) {
     let step = lattice_step(exponent, step);
-    let outputs = (boxes, sizes, root);
+    let outputs = (corners, sizes, root);
     store_sizes::<10, 4>(thread_index(id), total, step, plain, nodes, outputs);
 }
 
@@ -111,50 +111,75 @@ pub fn encode_q21_sizes(
     #[spirv(uniform, descriptor_set = 0, binding = 2)] step: &UVec4,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] plain: &[RoundedNode],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] nodes: &mut [[u32; 7]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] boxes: &mut [LatticeBox],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] corners: &mut [LeafCorner],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] sizes: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] root: &mut [RootWords],
 ) {
     let step = lattice_step(exponent, step);
-    let outputs = (boxes, sizes, root);
+    let outputs = (corners, sizes, root);
     store_sizes::<21, 7>(thread_index(id), total, step, plain, nodes, outputs);
 }
 
-/// One thread per node. Reads the number of nodes, the root, the plain nodes, the triangles, the nodes' boxes, where each
-/// triangle's words begin, and the node without links. Stores it with links, and the triangles of the leaves below it.
+/// One thread per triangle. Reads how many there are, the root, the triangles, the corners of their leaves and where each one's
+/// words begin. Stores these.
 #[spirv(compute(threads(64)))]
-pub fn encode_q10_lattice(
+pub fn encode_triangles(
     #[spirv(global_invocation_id)] id: UVec3,
-    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] count: &UVec4,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [[u32; 4]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] words: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] triangles: &[LeafTriangle],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] corners: &[LeafCorner],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] words: &mut [u32],
 ) {
-    let step = root_words(root).step_exponent();
-    let inputs = (plain, triangles, boxes, begins);
-    store_linked::<10, 4>(thread_index(id), total, step, inputs, nodes, words);
+    let triangle = thread_index(id);
+    let i = triangle as usize;
+    if triangle < count.x && i < triangles.len() && i < corners.len() && i < begins.len() {
+        let step = power_of_two(root_words(root).step_exponent());
+        let (to, size) = (begins[i] as usize, corners[i].words as usize);
+        if to + size <= words.len() {
+            let [a, b, c, d, e, f, g, h, j, k] = encode_triangle(&triangles[i], &corners[i], step);
+            words[to] = a;
+            words[to + 1] = b;
+            words[to + 2] = c;
+            words[to + 3] = d;
+            if size > 4 {
+                words[to + 4] = e;
+                words[to + 5] = f;
+                words[to + 6] = g;
+            }
+            if size > 7 {
+                words[to + 7] = h;
+                words[to + 8] = j;
+                words[to + 9] = k;
+            }
+        }
+    }
 }
 
-/// As [`encode_q10_lattice`], in 21 bits.
+/// One thread per node. Reads the number of nodes, the plain nodes, where each triangle's words begin, and the node in 10 bits.
+/// Stores it with links.
 #[spirv(compute(threads(64)))]
-pub fn encode_q21_lattice(
+pub fn encode_q10_links(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
-    #[spirv(uniform, descriptor_set = 0, binding = 1)] root: &[UVec4; 2],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] plain: &[RoundedNode],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] triangles: &[LeafTriangle],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] boxes: &[LatticeBox],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] begins: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] nodes: &mut [[u32; 7]],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 7)] words: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [[u32; 4]],
 ) {
-    let step = root_words(root).step_exponent();
-    let inputs = (plain, triangles, boxes, begins);
-    store_linked::<21, 7>(thread_index(id), total, step, inputs, nodes, words);
+    store_links::<10, 4>(thread_index(id), total, plain, begins, nodes);
+}
+
+/// As [`encode_q10_links`], in 21 bits.
+#[spirv(compute(threads(64)))]
+pub fn encode_q21_links(
+    #[spirv(global_invocation_id)] id: UVec3,
+    #[spirv(uniform, descriptor_set = 0, binding = 0)] total: &UVec4,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] plain: &[RoundedNode],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] begins: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] nodes: &mut [[u32; 7]],
+) {
+    store_links::<21, 7>(thread_index(id), total, plain, begins, nodes);
 }
 
 /// The exponent of a lattice's step, in the scene's magnitude. Reads the scene's exponent, and the step's: in the caller's unit,
@@ -229,50 +254,49 @@ fn store_sizes<const BITS: u32, const WORDS: usize>(
     step_exponent: i32,
     plain: &[RoundedNode],
     nodes: &mut [[u32; WORDS]],
-    (boxes, sizes, root): (&mut [LatticeBox], &mut [u32], &mut [RootWords]),
+    (corners, sizes, root): (&mut [LeafCorner], &mut [u32], &mut [RootWords]),
 ) {
     let i = node as usize;
-    if node < total.x && i < plain.len() && i < nodes.len() && i < boxes.len() {
+    if node < total.x && i < plain.len() && i < nodes.len() {
         let codec = LatticeCodec::<BITS, WORDS>;
         let bounds = node_bounds(node, plain, &codec);
         let coded = codec.encode(&bounds, &plain[i]);
         nodes[i] = coded.words;
-        boxes[i] = bounds;
-        store_size(plain[i].left, &coded.left, sizes);
-        store_size(plain[i].right, &coded.right, sizes);
+        store_corner(plain[i].left, &coded.left, corners, sizes);
+        store_corner(plain[i].right, &coded.right, corners, sizes);
         store_root(node, RootWords::of_lattice(&bounds, step_exponent), root);
     }
 }
 
 #[inline(always)]
-fn store_size(child: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]) {
-    if child.is_leaf() {
-        let size = LeafWidth::of(bounds).words();
-        for number in 0..child.count() {
-            let i = (child.first() + number) as usize;
-            if i < sizes.len() {
-                sizes[i] = size;
-            }
+fn store_corner(
+    child: NodeRef,
+    bounds: &LatticeBox,
+    corners: &mut [LeafCorner],
+    sizes: &mut [u32],
+) {
+    let corner = LeafCorner::of(bounds);
+    let count = if child.is_leaf() { child.count() } else { 0 };
+    for number in 0..count {
+        let i = (child.first() + number) as usize;
+        if i < corners.len() && i < sizes.len() {
+            corners[i] = corner;
+            sizes[i] = corner.words;
         }
     }
 }
 
 #[inline(always)]
-fn store_linked<const BITS: u32, const WORDS: usize>(
+fn store_links<const BITS: u32, const WORDS: usize>(
     node: u32,
     total: &UVec4,
-    step_exponent: i32,
-    (plain, triangles, boxes, begins): (&[RoundedNode], &[LeafTriangle], &[LatticeBox], &[u32]),
+    plain: &[RoundedNode],
+    begins: &[u32],
     nodes: &mut [[u32; WORDS]],
-    words: &mut [u32],
 ) {
     let i = node as usize;
-    if node < total.x && i < plain.len() && i < boxes.len() && i < nodes.len() {
-        let [left, right] = decode_node::<BITS, WORDS>(&nodes[i], &boxes[i]);
+    if node < total.x && i < plain.len() && i < nodes.len() {
         nodes[i] = with_links::<BITS, WORDS>(nodes[i], links(&plain[i], begins));
-        let from = (triangles, begins);
-        store_triangles(plain[i].left, &left, step_exponent, from, words);
-        store_triangles(plain[i].right, &right, step_exponent, from, words);
     }
 }
 
@@ -286,40 +310,4 @@ fn links(plain: &RoundedNode, begins: &[u32]) -> Links {
         0
     };
     Links::new(plain.left, plain.right, place)
-}
-
-#[inline(always)]
-fn store_triangles(
-    child: NodeRef,
-    bounds: &LatticeBox,
-    step_exponent: i32,
-    (triangles, begins): (&[LeafTriangle], &[u32]),
-    words: &mut [u32],
-) {
-    let step = power_of_two(step_exponent);
-    let size = LeafWidth::of(bounds).words() as usize;
-    let count = if child.is_leaf() { child.count() } else { 0 };
-    for number in 0..count {
-        let i = (child.first() + number) as usize;
-        if i < triangles.len() && i < begins.len() {
-            let to = begins[i] as usize;
-            if to + size <= words.len() {
-                let [a, b, c, d, e, f, g, h, j, k] = encode_triangle(&triangles[i], bounds, step);
-                words[to] = a;
-                words[to + 1] = b;
-                words[to + 2] = c;
-                words[to + 3] = d;
-                if size > 4 {
-                    words[to + 4] = e;
-                    words[to + 5] = f;
-                    words[to + 6] = g;
-                }
-                if size > 7 {
-                    words[to + 7] = h;
-                    words[to + 8] = j;
-                    words[to + 9] = k;
-                }
-            }
-        }
-    }
 }

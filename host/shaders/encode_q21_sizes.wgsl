@@ -41,8 +41,13 @@ struct type_34 {
     member: array<array<u32, 7>>,
 }
 
-struct type_38 {
-    member: array<type_29>,
+struct type_37 {
+    member: array<i32, 3>,
+    member_1: u32,
+}
+
+struct type_39 {
+    member: array<type_37>,
 }
 
 var<private> global: vec3<u32>;
@@ -55,7 +60,7 @@ var<uniform> global_3: type_13;
 @group(0) @binding(3) 
 var<storage> global_4: type_20;
 @group(0) @binding(5) 
-var<storage, read_write> global_5: type_38;
+var<storage, read_write> global_5: type_39;
 @group(0) @binding(6) 
 var<storage, read_write> global_6: type_4;
 @group(0) @binding(7) 
@@ -64,68 +69,69 @@ var<storage, read_write> global_7: type_25;
 var<storage, read_write> global_8: type_34;
 
 fn function_() {
-    var phi_164_: i32;
     var phi_165_: i32;
-    var phi_211_: type_18;
-    var phi_262_: type_8;
-    var phi_265_: type_29;
-    var phi_267_: u32;
-    var phi_263_: type_8;
-    var phi_290_: type_8;
-    var phi_312_: type_18;
-    var phi_321_: bool;
-    var phi_365_: i32;
-    var phi_380_: i32;
-    var phi_417_: i32;
-    var phi_432_: i32;
-    var phi_469_: i32;
-    var phi_484_: i32;
-    var phi_493_: type_29;
-    var phi_494_: u32;
-    var phi_266_: type_29;
-    var phi_268_: u32;
-    var phi_496_: bool;
-    var phi_1436_: bool;
+    var phi_166_: i32;
+    var phi_208_: type_18;
+    var phi_259_: type_8;
+    var phi_262_: type_29;
+    var phi_264_: u32;
+    var phi_260_: type_8;
+    var phi_287_: type_8;
+    var phi_309_: type_18;
+    var phi_318_: bool;
+    var phi_362_: i32;
+    var phi_377_: i32;
+    var phi_414_: i32;
+    var phi_429_: i32;
+    var phi_466_: i32;
+    var phi_481_: i32;
+    var phi_490_: type_29;
+    var phi_491_: u32;
+    var phi_263_: type_29;
+    var phi_265_: u32;
+    var phi_493_: bool;
+    var phi_1463_: bool;
     var local: type_29;
     var local_1: type_29;
-    var local_2: type_29;
-    var phi_1163_: u32;
-    var phi_1169_: u32;
+    var phi_1155_: u32;
+    var phi_1161_: u32;
+    var phi_1172_: u32;
+    var phi_1175_: type_8;
     var phi_1176_: type_8;
-    var phi_1177_: type_8;
-    var phi_1200_: type_8;
-    var phi_1469_: bool;
-    var phi_1529_: bool;
-    var phi_1296_: u32;
-    var phi_1302_: u32;
-    var phi_1309_: type_8;
-    var phi_1310_: type_8;
-    var phi_1333_: type_8;
-    var phi_1522_: bool;
+    var phi_1199_: type_8;
+    var phi_1496_: bool;
+    var phi_1306_: u32;
+    var phi_1312_: u32;
+    var phi_1323_: u32;
+    var phi_1326_: type_8;
+    var phi_1327_: type_8;
+    var phi_1350_: type_8;
+    var phi_1551_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
             let _e39 = global;
             let _e41 = arrayLength((&global_4.member));
+            let _e46 = arrayLength((&global_5.member));
             let _e49 = arrayLength((&global_6.member));
             let _e52 = arrayLength((&global_7.member));
             let _e55 = global_3.member[1u];
             if (_e55 == 0u) {
                 let _e73 = global_3.member[0u];
-                phi_165_ = bitcast<i32>(_e73);
+                phi_166_ = bitcast<i32>(_e73);
             } else {
                 let _e59 = global_3.member[0u];
                 let _e63 = global_2.member[0u];
                 let _e65 = (bitcast<i32>(_e59) + bitcast<i32>(_e63));
                 if (_e65 < -126i) {
-                    phi_164_ = -126i;
+                    phi_165_ = -126i;
                 } else {
-                    phi_164_ = select(_e65, 127i, (_e65 > 127i));
+                    phi_165_ = select(_e65, 127i, (_e65 > 127i));
                 }
-                let _e70 = phi_164_;
-                phi_165_ = _e70;
+                let _e70 = phi_165_;
+                phi_166_ = _e70;
             }
-            let _e76 = phi_165_;
+            let _e76 = phi_166_;
             let _e80 = (_e39.x + (_e39.y * 2097152u));
             let _e83 = global_1.member[0u];
             if (_e80 < _e83) {
@@ -133,378 +139,398 @@ fn function_() {
                 if _e85 {
                     let _e86 = (_e80 < arrayLength((&global_8.member)));
                     if _e86 {
-                        let _e87 = (_e80 < arrayLength((&global_5.member)));
+                        let _e87 = (0u < _e41);
                         if _e87 {
-                            let _e88 = (0u < _e41);
-                            if _e88 {
-                                if _e88 {
-                                } else {
-                                    break;
-                                }
-                                let _e91 = global_4.member[0u];
-                                phi_211_ = _e91;
-                            } else {
-                                phi_211_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
-                            }
-                            let _e93 = phi_211_;
-                            phi_262_ = type_8(0u, 128u);
-                            phi_265_ = type_29(array<i32, 3>(select(_e93.member[0][0], _e93.member[0][1], (_e93.member[0][1] < _e93.member[0][0])), select(_e93.member[1][0], _e93.member[1][1], (_e93.member[1][1] < _e93.member[1][0])), select(_e93.member[2][0], _e93.member[2][1], (_e93.member[2][1] < _e93.member[2][0]))), array<i32, 3>(select(_e93.member[0][3], _e93.member[0][2], (_e93.member[0][3] < _e93.member[0][2])), select(_e93.member[1][3], _e93.member[1][2], (_e93.member[1][3] < _e93.member[1][2])), select(_e93.member[2][3], _e93.member[2][2], (_e93.member[2][3] < _e93.member[2][2]))));
-                            phi_267_ = 0u;
-                            loop {
-                                let _e128 = phi_262_;
-                                let _e130 = phi_265_;
-                                let _e132 = phi_267_;
-                                local = _e130;
-                                local_1 = _e130;
-                                local_2 = _e130;
-                                if (_e128.member < _e128.member_1) {
-                                    phi_263_ = type_8((_e128.member + 1u), _e128.member_1);
-                                    phi_290_ = type_8(1u, _e128.member);
-                                } else {
-                                    phi_263_ = _e128;
-                                    phi_290_ = type_8(0u, type_8().member_1);
-                                }
-                                let _e145 = phi_263_;
-                                let _e147 = phi_290_;
-                                if (bitcast<i32>(_e147.member) != 0i) {
-                                    let _e151 = (_e132 == _e80);
-                                    if _e151 {
-                                        phi_493_ = type_29();
-                                        phi_494_ = u32();
-                                    } else {
-                                        let _e152 = (_e132 < _e41);
-                                        if _e152 {
-                                            if _e152 {
-                                            } else {
-                                                phi_1436_ = true;
-                                                break;
-                                            }
-                                            let _e155 = global_4.member[_e132];
-                                            phi_312_ = _e155;
-                                        } else {
-                                            phi_312_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
-                                        }
-                                        let _e157 = phi_312_;
-                                        if ((_e157.member_1 & 2147483648u) != 0u) {
-                                            phi_321_ = false;
-                                        } else {
-                                            phi_321_ = (_e80 <= _e157.member_1);
-                                        }
-                                        let _e164 = phi_321_;
-                                        let _e176 = bitcast<u32>((_e130.member_1[0] - _e130.member[0]));
-                                        let _e182 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e176)), 32u, (_e176 == 0u)));
-                                        let _e185 = (select(21u, _e182, (_e182 > 21u)) - 21u);
-                                        let _e190 = (_e157.member[0][0] - _e130.member[0]);
-                                        let _e191 = (_e157.member[0][1] - _e130.member[0]);
-                                        let _e192 = (_e130.member_1[0] - _e157.member[0][2]);
-                                        let _e193 = (_e130.member_1[0] - _e157.member[0][3]);
-                                        let _e194 = (_e190 > _e191);
-                                        if (_e194 == _e164) {
-                                            let _e197 = (_e185 & 31u);
-                                            phi_365_ = ((select(_e191, _e190, _e194) >> bitcast<u32>(_e197)) << bitcast<u32>(_e197));
-                                        } else {
-                                            phi_365_ = 0i;
-                                        }
-                                        let _e203 = phi_365_;
-                                        let _e205 = (_e192 > _e193);
-                                        if (_e205 == _e164) {
-                                            let _e208 = (_e185 & 31u);
-                                            phi_380_ = ((select(_e193, _e192, _e205) >> bitcast<u32>(_e208)) << bitcast<u32>(_e208));
-                                        } else {
-                                            phi_380_ = 0i;
-                                        }
-                                        let _e214 = phi_380_;
-                                        let _e219 = bitcast<u32>((_e130.member_1[1] - _e130.member[1]));
-                                        let _e225 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u)));
-                                        let _e228 = (select(21u, _e225, (_e225 > 21u)) - 21u);
-                                        let _e233 = (_e157.member[1][0] - _e130.member[1]);
-                                        let _e234 = (_e157.member[1][1] - _e130.member[1]);
-                                        let _e235 = (_e130.member_1[1] - _e157.member[1][2]);
-                                        let _e236 = (_e130.member_1[1] - _e157.member[1][3]);
-                                        let _e237 = (_e233 > _e234);
-                                        if (_e237 == _e164) {
-                                            let _e240 = (_e228 & 31u);
-                                            phi_417_ = ((select(_e234, _e233, _e237) >> bitcast<u32>(_e240)) << bitcast<u32>(_e240));
-                                        } else {
-                                            phi_417_ = 0i;
-                                        }
-                                        let _e246 = phi_417_;
-                                        let _e248 = (_e235 > _e236);
-                                        if (_e248 == _e164) {
-                                            let _e251 = (_e228 & 31u);
-                                            phi_432_ = ((select(_e236, _e235, _e248) >> bitcast<u32>(_e251)) << bitcast<u32>(_e251));
-                                        } else {
-                                            phi_432_ = 0i;
-                                        }
-                                        let _e257 = phi_432_;
-                                        let _e262 = bitcast<u32>((_e130.member_1[2] - _e130.member[2]));
-                                        let _e268 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e262)), 32u, (_e262 == 0u)));
-                                        let _e271 = (select(21u, _e268, (_e268 > 21u)) - 21u);
-                                        let _e276 = (_e157.member[2][0] - _e130.member[2]);
-                                        let _e277 = (_e157.member[2][1] - _e130.member[2]);
-                                        let _e278 = (_e130.member_1[2] - _e157.member[2][2]);
-                                        let _e279 = (_e130.member_1[2] - _e157.member[2][3]);
-                                        let _e280 = (_e276 > _e277);
-                                        if (_e280 == _e164) {
-                                            let _e283 = (_e271 & 31u);
-                                            phi_469_ = ((select(_e277, _e276, _e280) >> bitcast<u32>(_e283)) << bitcast<u32>(_e283));
-                                        } else {
-                                            phi_469_ = 0i;
-                                        }
-                                        let _e289 = phi_469_;
-                                        let _e291 = (_e278 > _e279);
-                                        if (_e291 == _e164) {
-                                            let _e294 = (_e271 & 31u);
-                                            phi_484_ = ((select(_e279, _e278, _e291) >> bitcast<u32>(_e294)) << bitcast<u32>(_e294));
-                                        } else {
-                                            phi_484_ = 0i;
-                                        }
-                                        let _e300 = phi_484_;
-                                        phi_493_ = type_29(array<i32, 3>((_e130.member[0] + _e203), (_e130.member[1] + _e246), (_e130.member[2] + _e289)), array<i32, 3>((_e130.member_1[0] - _e214), (_e130.member_1[1] - _e257), (_e130.member_1[2] - _e300)));
-                                        phi_494_ = select(_e157.member_2, _e157.member_1, _e164);
-                                    }
-                                    let _e307 = phi_493_;
-                                    let _e309 = phi_494_;
-                                    phi_266_ = _e307;
-                                    phi_268_ = _e309;
-                                    phi_496_ = select(true, false, _e151);
-                                } else {
-                                    phi_266_ = type_29();
-                                    phi_268_ = u32();
-                                    phi_496_ = false;
-                                }
-                                let _e312 = phi_266_;
-                                let _e314 = phi_268_;
-                                let _e316 = phi_496_;
-                                continue;
-                                continuing {
-                                    phi_262_ = _e145;
-                                    phi_265_ = _e312;
-                                    phi_267_ = _e314;
-                                    phi_1436_ = false;
-                                    break if !(_e316);
-                                }
-                            }
-                            let _e319 = phi_1436_;
-                            if _e319 {
-                                break;
-                            }
-                            if _e85 {
-                            } else {
-                                break;
-                            }
-                            let _e321 = local;
-                            let _e324 = local_1;
-                            let _e336 = global_4.member[_e80].member[0u];
-                            let _e338 = bitcast<u32>((_e324.member_1[0] - _e321.member[0]));
-                            let _e344 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u)));
-                            let _e352 = (_e336[0] - _e321.member[0]);
-                            let _e353 = (_e336[1] - _e321.member[0]);
-                            let _e354 = (_e324.member_1[0] - _e336[2]);
-                            let _e355 = (_e324.member_1[0] - _e336[3]);
-                            let _e356 = (_e352 > _e353);
-                            let _e359 = ((select(21u, _e344, (_e344 > 21u)) - 21u) & 31u);
-                            let _e366 = (((bitcast<u32>(select(_e353, _e352, _e356)) >> bitcast<u32>(_e359)) & 2097151u) | (select(0u, 1u, _e356) << bitcast<u32>(21u)));
-                            let _e367 = (_e354 > _e355);
-                            let _e376 = (((bitcast<u32>(select(_e355, _e354, _e367)) >> bitcast<u32>(_e359)) & 2097151u) | (select(0u, 1u, _e367) << bitcast<u32>(21u)));
-                            let _e381 = global_4.member[_e80].member[1u];
-                            let _e383 = bitcast<u32>((_e324.member_1[1] - _e321.member[1]));
-                            let _e389 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e383)), 32u, (_e383 == 0u)));
-                            let _e397 = (_e381[0] - _e321.member[1]);
-                            let _e398 = (_e381[1] - _e321.member[1]);
-                            let _e399 = (_e324.member_1[1] - _e381[2]);
-                            let _e400 = (_e324.member_1[1] - _e381[3]);
-                            let _e401 = (_e397 > _e398);
-                            let _e404 = ((select(21u, _e389, (_e389 > 21u)) - 21u) & 31u);
-                            let _e411 = (((bitcast<u32>(select(_e398, _e397, _e401)) >> bitcast<u32>(_e404)) & 2097151u) | (select(0u, 1u, _e401) << bitcast<u32>(21u)));
-                            let _e412 = (_e399 > _e400);
-                            let _e421 = (((bitcast<u32>(select(_e400, _e399, _e412)) >> bitcast<u32>(_e404)) & 2097151u) | (select(0u, 1u, _e412) << bitcast<u32>(21u)));
-                            let _e426 = global_4.member[_e80].member[2u];
-                            let _e428 = bitcast<u32>((_e324.member_1[2] - _e321.member[2]));
-                            let _e434 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e428)), 32u, (_e428 == 0u)));
-                            let _e442 = (_e426[0] - _e321.member[2]);
-                            let _e443 = (_e426[1] - _e321.member[2]);
-                            let _e444 = (_e324.member_1[2] - _e426[2]);
-                            let _e445 = (_e324.member_1[2] - _e426[3]);
-                            let _e446 = (_e442 > _e443);
-                            let _e449 = ((select(21u, _e434, (_e434 > 21u)) - 21u) & 31u);
-                            let _e456 = (((bitcast<u32>(select(_e443, _e442, _e446)) >> bitcast<u32>(_e449)) & 2097151u) | (select(0u, 1u, _e446) << bitcast<u32>(21u)));
-                            let _e457 = (_e444 > _e445);
-                            let _e466 = (((bitcast<u32>(select(_e445, _e444, _e457)) >> bitcast<u32>(_e449)) & 2097151u) | (select(0u, 1u, _e457) << bitcast<u32>(21u)));
-                            let _e471 = (_e321.member[0] + bitcast<i32>(((_e366 & 2097151u) << bitcast<u32>(_e359))));
-                            let _e476 = (_e324.member_1[0] - bitcast<i32>(((_e376 & 2097151u) << bitcast<u32>(_e359))));
-                            let _e480 = (((_e366 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            let _e484 = (((_e376 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            let _e493 = (_e321.member[1] + bitcast<i32>(((_e411 & 2097151u) << bitcast<u32>(_e404))));
-                            let _e498 = (_e324.member_1[1] - bitcast<i32>(((_e421 & 2097151u) << bitcast<u32>(_e404))));
-                            let _e502 = (((_e411 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            let _e506 = (((_e421 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            let _e515 = (_e321.member[2] + bitcast<i32>(((_e456 & 2097151u) << bitcast<u32>(_e449))));
-                            let _e520 = (_e324.member_1[2] - bitcast<i32>(((_e466 & 2097151u) << bitcast<u32>(_e449))));
-                            let _e524 = (((_e456 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            let _e528 = (((_e466 >> bitcast<u32>(21u)) & 1u) == 1u);
-                            if _e86 {
-                            } else {
-                                break;
-                            }
-                            global_8.member[_e80] = array<u32, 7>(0u, _e366, _e376, _e411, _e421, _e456, _e466);
                             if _e87 {
                             } else {
                                 break;
                             }
-                            let _e538 = local_2;
-                            global_5.member[_e80] = _e538;
-                            if _e85 {
+                            let _e90 = global_4.member[0u];
+                            phi_208_ = _e90;
+                        } else {
+                            phi_208_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
+                        }
+                        let _e92 = phi_208_;
+                        phi_259_ = type_8(0u, 128u);
+                        phi_262_ = type_29(array<i32, 3>(select(_e92.member[0][0], _e92.member[0][1], (_e92.member[0][1] < _e92.member[0][0])), select(_e92.member[1][0], _e92.member[1][1], (_e92.member[1][1] < _e92.member[1][0])), select(_e92.member[2][0], _e92.member[2][1], (_e92.member[2][1] < _e92.member[2][0]))), array<i32, 3>(select(_e92.member[0][3], _e92.member[0][2], (_e92.member[0][3] < _e92.member[0][2])), select(_e92.member[1][3], _e92.member[1][2], (_e92.member[1][3] < _e92.member[1][2])), select(_e92.member[2][3], _e92.member[2][2], (_e92.member[2][3] < _e92.member[2][2]))));
+                        phi_264_ = 0u;
+                        loop {
+                            let _e127 = phi_259_;
+                            let _e129 = phi_262_;
+                            let _e131 = phi_264_;
+                            local = _e129;
+                            local_1 = _e129;
+                            if (_e127.member < _e127.member_1) {
+                                phi_260_ = type_8((_e127.member + 1u), _e127.member_1);
+                                phi_287_ = type_8(1u, _e127.member);
                             } else {
+                                phi_260_ = _e127;
+                                phi_287_ = type_8(0u, type_8().member_1);
+                            }
+                            let _e144 = phi_260_;
+                            let _e146 = phi_287_;
+                            if (bitcast<i32>(_e146.member) != 0i) {
+                                let _e150 = (_e131 == _e80);
+                                if _e150 {
+                                    phi_490_ = type_29();
+                                    phi_491_ = u32();
+                                } else {
+                                    let _e151 = (_e131 < _e41);
+                                    if _e151 {
+                                        if _e151 {
+                                        } else {
+                                            phi_1463_ = true;
+                                            break;
+                                        }
+                                        let _e154 = global_4.member[_e131];
+                                        phi_309_ = _e154;
+                                    } else {
+                                        phi_309_ = type_18(array<array<i32, 4>, 3>(array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i), array<i32, 4>(0i, 0i, 0i, 0i)), 2147483648u, 2147483648u, 0u, 0u);
+                                    }
+                                    let _e156 = phi_309_;
+                                    if ((_e156.member_1 & 2147483648u) != 0u) {
+                                        phi_318_ = false;
+                                    } else {
+                                        phi_318_ = (_e80 <= _e156.member_1);
+                                    }
+                                    let _e163 = phi_318_;
+                                    let _e175 = bitcast<u32>((_e129.member_1[0] - _e129.member[0]));
+                                    let _e181 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e175)), 32u, (_e175 == 0u)));
+                                    let _e184 = (select(21u, _e181, (_e181 > 21u)) - 21u);
+                                    let _e189 = (_e156.member[0][0] - _e129.member[0]);
+                                    let _e190 = (_e156.member[0][1] - _e129.member[0]);
+                                    let _e191 = (_e129.member_1[0] - _e156.member[0][2]);
+                                    let _e192 = (_e129.member_1[0] - _e156.member[0][3]);
+                                    let _e193 = (_e189 > _e190);
+                                    if (_e193 == _e163) {
+                                        let _e196 = (_e184 & 31u);
+                                        phi_362_ = ((select(_e190, _e189, _e193) >> bitcast<u32>(_e196)) << bitcast<u32>(_e196));
+                                    } else {
+                                        phi_362_ = 0i;
+                                    }
+                                    let _e202 = phi_362_;
+                                    let _e204 = (_e191 > _e192);
+                                    if (_e204 == _e163) {
+                                        let _e207 = (_e184 & 31u);
+                                        phi_377_ = ((select(_e192, _e191, _e204) >> bitcast<u32>(_e207)) << bitcast<u32>(_e207));
+                                    } else {
+                                        phi_377_ = 0i;
+                                    }
+                                    let _e213 = phi_377_;
+                                    let _e218 = bitcast<u32>((_e129.member_1[1] - _e129.member[1]));
+                                    let _e224 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u)));
+                                    let _e227 = (select(21u, _e224, (_e224 > 21u)) - 21u);
+                                    let _e232 = (_e156.member[1][0] - _e129.member[1]);
+                                    let _e233 = (_e156.member[1][1] - _e129.member[1]);
+                                    let _e234 = (_e129.member_1[1] - _e156.member[1][2]);
+                                    let _e235 = (_e129.member_1[1] - _e156.member[1][3]);
+                                    let _e236 = (_e232 > _e233);
+                                    if (_e236 == _e163) {
+                                        let _e239 = (_e227 & 31u);
+                                        phi_414_ = ((select(_e233, _e232, _e236) >> bitcast<u32>(_e239)) << bitcast<u32>(_e239));
+                                    } else {
+                                        phi_414_ = 0i;
+                                    }
+                                    let _e245 = phi_414_;
+                                    let _e247 = (_e234 > _e235);
+                                    if (_e247 == _e163) {
+                                        let _e250 = (_e227 & 31u);
+                                        phi_429_ = ((select(_e235, _e234, _e247) >> bitcast<u32>(_e250)) << bitcast<u32>(_e250));
+                                    } else {
+                                        phi_429_ = 0i;
+                                    }
+                                    let _e256 = phi_429_;
+                                    let _e261 = bitcast<u32>((_e129.member_1[2] - _e129.member[2]));
+                                    let _e267 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e261)), 32u, (_e261 == 0u)));
+                                    let _e270 = (select(21u, _e267, (_e267 > 21u)) - 21u);
+                                    let _e275 = (_e156.member[2][0] - _e129.member[2]);
+                                    let _e276 = (_e156.member[2][1] - _e129.member[2]);
+                                    let _e277 = (_e129.member_1[2] - _e156.member[2][2]);
+                                    let _e278 = (_e129.member_1[2] - _e156.member[2][3]);
+                                    let _e279 = (_e275 > _e276);
+                                    if (_e279 == _e163) {
+                                        let _e282 = (_e270 & 31u);
+                                        phi_466_ = ((select(_e276, _e275, _e279) >> bitcast<u32>(_e282)) << bitcast<u32>(_e282));
+                                    } else {
+                                        phi_466_ = 0i;
+                                    }
+                                    let _e288 = phi_466_;
+                                    let _e290 = (_e277 > _e278);
+                                    if (_e290 == _e163) {
+                                        let _e293 = (_e270 & 31u);
+                                        phi_481_ = ((select(_e278, _e277, _e290) >> bitcast<u32>(_e293)) << bitcast<u32>(_e293));
+                                    } else {
+                                        phi_481_ = 0i;
+                                    }
+                                    let _e299 = phi_481_;
+                                    phi_490_ = type_29(array<i32, 3>((_e129.member[0] + _e202), (_e129.member[1] + _e245), (_e129.member[2] + _e288)), array<i32, 3>((_e129.member_1[0] - _e213), (_e129.member_1[1] - _e256), (_e129.member_1[2] - _e299)));
+                                    phi_491_ = select(_e156.member_2, _e156.member_1, _e163);
+                                }
+                                let _e306 = phi_490_;
+                                let _e308 = phi_491_;
+                                phi_263_ = _e306;
+                                phi_265_ = _e308;
+                                phi_493_ = select(true, false, _e150);
+                            } else {
+                                phi_263_ = type_29();
+                                phi_265_ = u32();
+                                phi_493_ = false;
+                            }
+                            let _e311 = phi_263_;
+                            let _e313 = phi_265_;
+                            let _e315 = phi_493_;
+                            continue;
+                            continuing {
+                                phi_259_ = _e144;
+                                phi_262_ = _e311;
+                                phi_264_ = _e313;
+                                phi_1463_ = false;
+                                break if !(_e315);
+                            }
+                        }
+                        let _e318 = phi_1463_;
+                        if _e318 {
+                            break;
+                        }
+                        if _e85 {
+                        } else {
+                            break;
+                        }
+                        let _e320 = local;
+                        let _e323 = local_1;
+                        let _e335 = global_4.member[_e80].member[0u];
+                        let _e337 = bitcast<u32>((_e323.member_1[0] - _e320.member[0]));
+                        let _e343 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e337)), 32u, (_e337 == 0u)));
+                        let _e351 = (_e335[0] - _e320.member[0]);
+                        let _e352 = (_e335[1] - _e320.member[0]);
+                        let _e353 = (_e323.member_1[0] - _e335[2]);
+                        let _e354 = (_e323.member_1[0] - _e335[3]);
+                        let _e355 = (_e351 > _e352);
+                        let _e358 = ((select(21u, _e343, (_e343 > 21u)) - 21u) & 31u);
+                        let _e365 = (((bitcast<u32>(select(_e352, _e351, _e355)) >> bitcast<u32>(_e358)) & 2097151u) | (select(0u, 1u, _e355) << bitcast<u32>(21u)));
+                        let _e366 = (_e353 > _e354);
+                        let _e375 = (((bitcast<u32>(select(_e354, _e353, _e366)) >> bitcast<u32>(_e358)) & 2097151u) | (select(0u, 1u, _e366) << bitcast<u32>(21u)));
+                        let _e380 = global_4.member[_e80].member[1u];
+                        let _e382 = bitcast<u32>((_e323.member_1[1] - _e320.member[1]));
+                        let _e388 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e382)), 32u, (_e382 == 0u)));
+                        let _e396 = (_e380[0] - _e320.member[1]);
+                        let _e397 = (_e380[1] - _e320.member[1]);
+                        let _e398 = (_e323.member_1[1] - _e380[2]);
+                        let _e399 = (_e323.member_1[1] - _e380[3]);
+                        let _e400 = (_e396 > _e397);
+                        let _e403 = ((select(21u, _e388, (_e388 > 21u)) - 21u) & 31u);
+                        let _e410 = (((bitcast<u32>(select(_e397, _e396, _e400)) >> bitcast<u32>(_e403)) & 2097151u) | (select(0u, 1u, _e400) << bitcast<u32>(21u)));
+                        let _e411 = (_e398 > _e399);
+                        let _e420 = (((bitcast<u32>(select(_e399, _e398, _e411)) >> bitcast<u32>(_e403)) & 2097151u) | (select(0u, 1u, _e411) << bitcast<u32>(21u)));
+                        let _e425 = global_4.member[_e80].member[2u];
+                        let _e427 = bitcast<u32>((_e323.member_1[2] - _e320.member[2]));
+                        let _e433 = (32u - select((bitcast<u32>(31i) - firstLeadingBit(_e427)), 32u, (_e427 == 0u)));
+                        let _e441 = (_e425[0] - _e320.member[2]);
+                        let _e442 = (_e425[1] - _e320.member[2]);
+                        let _e443 = (_e323.member_1[2] - _e425[2]);
+                        let _e444 = (_e323.member_1[2] - _e425[3]);
+                        let _e445 = (_e441 > _e442);
+                        let _e448 = ((select(21u, _e433, (_e433 > 21u)) - 21u) & 31u);
+                        let _e455 = (((bitcast<u32>(select(_e442, _e441, _e445)) >> bitcast<u32>(_e448)) & 2097151u) | (select(0u, 1u, _e445) << bitcast<u32>(21u)));
+                        let _e456 = (_e443 > _e444);
+                        let _e465 = (((bitcast<u32>(select(_e444, _e443, _e456)) >> bitcast<u32>(_e448)) & 2097151u) | (select(0u, 1u, _e456) << bitcast<u32>(21u)));
+                        let _e470 = (_e320.member[0] + bitcast<i32>(((_e365 & 2097151u) << bitcast<u32>(_e358))));
+                        let _e475 = (_e323.member_1[0] - bitcast<i32>(((_e375 & 2097151u) << bitcast<u32>(_e358))));
+                        let _e479 = (((_e365 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e483 = (((_e375 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e484 = select(_e320.member[0], _e470, _e479);
+                        let _e485 = select(_e470, _e320.member[0], _e479);
+                        let _e492 = (_e320.member[1] + bitcast<i32>(((_e410 & 2097151u) << bitcast<u32>(_e403))));
+                        let _e497 = (_e323.member_1[1] - bitcast<i32>(((_e420 & 2097151u) << bitcast<u32>(_e403))));
+                        let _e501 = (((_e410 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e505 = (((_e420 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e506 = select(_e320.member[1], _e492, _e501);
+                        let _e507 = select(_e492, _e320.member[1], _e501);
+                        let _e514 = (_e320.member[2] + bitcast<i32>(((_e455 & 2097151u) << bitcast<u32>(_e448))));
+                        let _e519 = (_e323.member_1[2] - bitcast<i32>(((_e465 & 2097151u) << bitcast<u32>(_e448))));
+                        let _e523 = (((_e455 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e527 = (((_e465 >> bitcast<u32>(21u)) & 1u) == 1u);
+                        let _e528 = select(_e320.member[2], _e514, _e523);
+                        let _e529 = select(_e514, _e320.member[2], _e523);
+                        if _e86 {
+                        } else {
+                            break;
+                        }
+                        global_8.member[_e80] = array<u32, 7>(0u, _e365, _e375, _e410, _e420, _e455, _e465);
+                        if _e85 {
+                        } else {
+                            break;
+                        }
+                        let _e538 = global_4.member[_e80].member_1;
+                        let _e547 = ((bitcast<u32>((select(_e323.member_1[0], _e475, _e483) - _e484)) | bitcast<u32>((select(_e323.member_1[1], _e497, _e505) - _e506))) | bitcast<u32>((select(_e323.member_1[2], _e519, _e527) - _e528)));
+                        if (_e547 < 1024u) {
+                            phi_1155_ = 0u;
+                        } else {
+                            phi_1155_ = select(2u, 1u, (_e547 < 2097152u));
+                        }
+                        let _e552 = phi_1155_;
+                        switch bitcast<i32>(_e552) {
+                            case 0: {
+                                phi_1161_ = 1u;
                                 break;
                             }
-                            let _e542 = global_4.member[_e80].member_1;
-                            if ((_e542 & 2147483648u) != 0u) {
-                                let _e552 = ((bitcast<u32>((select(_e324.member_1[0], _e476, _e484) - select(_e321.member[0], _e471, _e480))) | bitcast<u32>((select(_e324.member_1[1], _e498, _e506) - select(_e321.member[1], _e493, _e502)))) | bitcast<u32>((select(_e324.member_1[2], _e520, _e528) - select(_e321.member[2], _e515, _e524))));
-                                if (_e552 < 1024u) {
-                                    phi_1163_ = 0u;
-                                } else {
-                                    phi_1163_ = select(2u, 1u, (_e552 < 2097152u));
-                                }
-                                let _e557 = phi_1163_;
-                                switch bitcast<i32>(_e557) {
-                                    case 0: {
-                                        phi_1169_ = 1u;
-                                        break;
-                                    }
-                                    case 1: {
-                                        phi_1169_ = 2u;
-                                        break;
-                                    }
-                                    case 2: {
-                                        phi_1169_ = 3u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1169_ = u32();
-                                        break;
-                                    }
-                                }
-                                let _e560 = phi_1169_;
-                                phi_1176_ = type_8(0u, ((_e542 >> bitcast<u32>(28u)) & 7u));
-                                loop {
-                                    let _e568 = phi_1176_;
-                                    if (_e568.member < _e568.member_1) {
-                                        phi_1177_ = type_8((_e568.member + 1u), _e568.member_1);
-                                        phi_1200_ = type_8(1u, _e568.member);
-                                    } else {
-                                        phi_1177_ = _e568;
-                                        phi_1200_ = type_8(0u, type_8().member_1);
-                                    }
-                                    let _e581 = phi_1177_;
-                                    let _e583 = phi_1200_;
-                                    let _e587 = (bitcast<i32>(_e583.member) != 0i);
-                                    if _e587 {
-                                        let _e589 = ((_e542 & 268435455u) + _e583.member_1);
-                                        let _e590 = (_e589 < _e49);
+                            case 1: {
+                                phi_1161_ = 2u;
+                                break;
+                            }
+                            case 2: {
+                                phi_1161_ = 3u;
+                                break;
+                            }
+                            default: {
+                                phi_1161_ = u32();
+                                break;
+                            }
+                        }
+                        let _e555 = phi_1161_;
+                        let _e557 = ((3u * _e555) + 1u);
+                        if ((_e538 & 2147483648u) != 0u) {
+                            phi_1172_ = ((_e538 >> bitcast<u32>(28u)) & 7u);
+                        } else {
+                            phi_1172_ = 0u;
+                        }
+                        let _e565 = phi_1172_;
+                        phi_1175_ = type_8(0u, _e565);
+                        loop {
+                            let _e568 = phi_1175_;
+                            if (_e568.member < _e568.member_1) {
+                                phi_1176_ = type_8((_e568.member + 1u), _e568.member_1);
+                                phi_1199_ = type_8(1u, _e568.member);
+                            } else {
+                                phi_1176_ = _e568;
+                                phi_1199_ = type_8(0u, type_8().member_1);
+                            }
+                            let _e581 = phi_1176_;
+                            let _e583 = phi_1199_;
+                            let _e587 = (bitcast<i32>(_e583.member) != 0i);
+                            if _e587 {
+                                let _e589 = ((_e538 & 268435455u) + _e583.member_1);
+                                let _e590 = (_e589 < _e46);
+                                if _e590 {
+                                    let _e591 = (_e589 < _e49);
+                                    if _e591 {
                                         if _e590 {
-                                            if _e590 {
-                                            } else {
-                                                phi_1469_ = true;
-                                                break;
-                                            }
-                                            global_6.member[_e589] = ((3u * _e560) + 1u);
+                                        } else {
+                                            phi_1496_ = true;
+                                            break;
                                         }
-                                    }
-                                    continue;
-                                    continuing {
-                                        phi_1176_ = _e581;
-                                        phi_1469_ = _e319;
-                                        break if !(_e587);
+                                        global_5.member[_e589] = type_37(array<i32, 3>(_e484, _e506, _e528), _e557);
+                                        if _e591 {
+                                        } else {
+                                            phi_1496_ = true;
+                                            break;
+                                        }
+                                        global_6.member[_e589] = _e557;
                                     }
                                 }
-                                let _e594 = phi_1469_;
-                                if _e594 {
-                                    break;
-                                }
-                                phi_1529_ = _e594;
-                            } else {
-                                phi_1529_ = _e319;
                             }
-                            let _e596 = phi_1529_;
-                            if _e85 {
-                            } else {
+                            continue;
+                            continuing {
+                                phi_1175_ = _e581;
+                                phi_1496_ = _e318;
+                                break if !(_e587);
+                            }
+                        }
+                        let _e596 = phi_1496_;
+                        if _e596 {
+                            break;
+                        }
+                        if _e85 {
+                        } else {
+                            break;
+                        }
+                        let _e600 = global_4.member[_e80].member_2;
+                        let _e609 = ((bitcast<u32>((select(_e475, _e323.member_1[0], _e483) - _e485)) | bitcast<u32>((select(_e497, _e323.member_1[1], _e505) - _e507))) | bitcast<u32>((select(_e519, _e323.member_1[2], _e527) - _e529)));
+                        if (_e609 < 1024u) {
+                            phi_1306_ = 0u;
+                        } else {
+                            phi_1306_ = select(2u, 1u, (_e609 < 2097152u));
+                        }
+                        let _e614 = phi_1306_;
+                        switch bitcast<i32>(_e614) {
+                            case 0: {
+                                phi_1312_ = 1u;
                                 break;
                             }
-                            let _e600 = global_4.member[_e80].member_2;
-                            if ((_e600 & 2147483648u) != 0u) {
-                                let _e610 = ((bitcast<u32>((select(_e476, _e324.member_1[0], _e484) - select(_e471, _e321.member[0], _e480))) | bitcast<u32>((select(_e498, _e324.member_1[1], _e506) - select(_e493, _e321.member[1], _e502)))) | bitcast<u32>((select(_e520, _e324.member_1[2], _e528) - select(_e515, _e321.member[2], _e524))));
-                                if (_e610 < 1024u) {
-                                    phi_1296_ = 0u;
-                                } else {
-                                    phi_1296_ = select(2u, 1u, (_e610 < 2097152u));
-                                }
-                                let _e615 = phi_1296_;
-                                switch bitcast<i32>(_e615) {
-                                    case 0: {
-                                        phi_1302_ = 1u;
-                                        break;
-                                    }
-                                    case 1: {
-                                        phi_1302_ = 2u;
-                                        break;
-                                    }
-                                    case 2: {
-                                        phi_1302_ = 3u;
-                                        break;
-                                    }
-                                    default: {
-                                        phi_1302_ = u32();
-                                        break;
-                                    }
-                                }
-                                let _e618 = phi_1302_;
-                                phi_1309_ = type_8(0u, ((_e600 >> bitcast<u32>(28u)) & 7u));
-                                loop {
-                                    let _e626 = phi_1309_;
-                                    if (_e626.member < _e626.member_1) {
-                                        phi_1310_ = type_8((_e626.member + 1u), _e626.member_1);
-                                        phi_1333_ = type_8(1u, _e626.member);
-                                    } else {
-                                        phi_1310_ = _e626;
-                                        phi_1333_ = type_8(0u, type_8().member_1);
-                                    }
-                                    let _e639 = phi_1310_;
-                                    let _e641 = phi_1333_;
-                                    let _e645 = (bitcast<i32>(_e641.member) != 0i);
-                                    if _e645 {
-                                        let _e647 = ((_e600 & 268435455u) + _e641.member_1);
-                                        let _e648 = (_e647 < _e49);
-                                        if _e648 {
-                                            if _e648 {
-                                            } else {
-                                                phi_1522_ = true;
-                                                break;
-                                            }
-                                            global_6.member[_e647] = ((3u * _e618) + 1u);
-                                        }
-                                    }
-                                    continue;
-                                    continuing {
-                                        phi_1309_ = _e639;
-                                        phi_1522_ = _e596;
-                                        break if !(_e645);
-                                    }
-                                }
-                                let _e652 = phi_1522_;
+                            case 1: {
+                                phi_1312_ = 2u;
+                                break;
+                            }
+                            case 2: {
+                                phi_1312_ = 3u;
+                                break;
+                            }
+                            default: {
+                                phi_1312_ = u32();
+                                break;
+                            }
+                        }
+                        let _e617 = phi_1312_;
+                        let _e619 = ((3u * _e617) + 1u);
+                        if ((_e600 & 2147483648u) != 0u) {
+                            phi_1323_ = ((_e600 >> bitcast<u32>(28u)) & 7u);
+                        } else {
+                            phi_1323_ = 0u;
+                        }
+                        let _e627 = phi_1323_;
+                        phi_1326_ = type_8(0u, _e627);
+                        loop {
+                            let _e630 = phi_1326_;
+                            if (_e630.member < _e630.member_1) {
+                                phi_1327_ = type_8((_e630.member + 1u), _e630.member_1);
+                                phi_1350_ = type_8(1u, _e630.member);
+                            } else {
+                                phi_1327_ = _e630;
+                                phi_1350_ = type_8(0u, type_8().member_1);
+                            }
+                            let _e643 = phi_1327_;
+                            let _e645 = phi_1350_;
+                            let _e649 = (bitcast<i32>(_e645.member) != 0i);
+                            if _e649 {
+                                let _e651 = ((_e600 & 268435455u) + _e645.member_1);
+                                let _e652 = (_e651 < _e46);
                                 if _e652 {
-                                    break;
+                                    let _e653 = (_e651 < _e49);
+                                    if _e653 {
+                                        if _e652 {
+                                        } else {
+                                            phi_1551_ = true;
+                                            break;
+                                        }
+                                        global_5.member[_e651] = type_37(array<i32, 3>(_e485, _e507, _e529), _e619);
+                                        if _e653 {
+                                        } else {
+                                            phi_1551_ = true;
+                                            break;
+                                        }
+                                        global_6.member[_e651] = _e619;
+                                    }
                                 }
                             }
-                            if (_e80 == 0u) {
-                                if (_e52 == 0u) {
+                            continue;
+                            continuing {
+                                phi_1326_ = _e643;
+                                phi_1551_ = _e596;
+                                break if !(_e649);
+                            }
+                        }
+                        let _e658 = phi_1551_;
+                        if _e658 {
+                            break;
+                        }
+                        if (_e80 == 0u) {
+                            if (_e52 == 0u) {
+                            } else {
+                                if (0u < _e52) {
                                 } else {
-                                    if (0u < _e52) {
-                                    } else {
-                                        break;
-                                    }
-                                    global_7.member[0u] = type_23(array<u32, 4>(bitcast<u32>(_e321.member[0]), bitcast<u32>(_e321.member[1]), bitcast<u32>(_e321.member[2]), bitcast<u32>(_e76)), array<u32, 4>(bitcast<u32>(_e324.member_1[0]), bitcast<u32>(_e324.member_1[1]), bitcast<u32>(_e324.member_1[2]), 0u));
+                                    break;
                                 }
+                                global_7.member[0u] = type_23(array<u32, 4>(bitcast<u32>(_e320.member[0]), bitcast<u32>(_e320.member[1]), bitcast<u32>(_e320.member[2]), bitcast<u32>(_e76)), array<u32, 4>(bitcast<u32>(_e323.member_1[0]), bitcast<u32>(_e323.member_1[1]), bitcast<u32>(_e323.member_1[2]), 0u));
                             }
                         }
                     }

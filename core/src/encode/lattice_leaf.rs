@@ -6,6 +6,7 @@ use crate::lattice::{LatticeBox, lattice_steps};
 use crate::ray::NO_PRIMITIVE;
 use crate::trace::{Place, TriangleSource};
 use crate::triangle::LeafTriangle;
+use bytemuck::{Pod, Zeroable};
 
 /// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
 ///
@@ -93,11 +94,42 @@ pub const fn scaled_step(step_exponent: i32, scene_exponent: i32) -> i32 {
     }
 }
 
+/// What the triangles of a leaf are coded with. 16 bytes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C)]
+pub struct LeafCorner {
+    /// Bytes 0–11: the smallest coordinates of the leaf's box, decoded.
+    pub min: [i32; 3],
+    /// Bytes 12–15: words of a triangle, as [`LeafWidth::words`] tells.
+    pub words: u32,
+}
+
+const _: () = assert!(size_of::<LeafCorner>() == 16);
+
+impl LeafCorner {
+    /// Of a leaf with this box.
+    #[inline(always)]
+    #[must_use]
+    pub fn of(bounds: &LatticeBox) -> Self {
+        Self {
+            min: bounds.min,
+            words: LeafWidth::of(bounds).words(),
+        }
+    }
+
+    /// In the scene's unit.
+    #[inline(always)]
+    fn min(&self, step: f32) -> [f32; 3] {
+        let [x, y, z] = self.min;
+        [x as f32 * step, y as f32 * step, z as f32 * step]
+    }
+}
+
 /// [`encode_triangle`] in a leaf whose triangles are narrow.
 #[inline(always)]
 #[must_use]
-pub fn encode_narrow_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) -> [u32; 4] {
-    let [a, b, c] = corner(bounds, step);
+pub fn encode_narrow_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 4] {
+    let [a, b, c] = corner.min(step);
     let inverse = 1.0 / step;
     // Sums of below 2^20 steps: no operation is ever rounded, fused or not.
     let vertex = |[x, y, z]: [f32; 3]| {
@@ -113,32 +145,27 @@ pub fn encode_narrow_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step
     ]
 }
 
-/// A box's smallest coordinates in the scene's unit.
-#[inline(always)]
-fn corner(bounds: &LatticeBox, step: f32) -> [f32; 3] {
-    let [x, y, z] = bounds.min;
-    [x as f32 * step, y as f32 * step, z as f32 * step]
-}
-
 /// A whole number from 0 to below 2^22: a sum with 2^23 holds it in its last bits.
 #[inline(always)]
 const fn low_bits(x: f32) -> u32 {
     (x + 8_388_608.0).to_bits() & 0x003f_ffff
 }
 
-/// One thread per triangle. Reads it, its leaf's box, decoded, in which it lies, and the lattice's step, a power of two; its
-/// vertices are on the lattice. Returns its words, of which the box tells how many count.
+/// One thread per triangle. Reads it, its leaf's corner, and the lattice's step, a power of two; its vertices are on the lattice,
+/// in the leaf's box. Returns its words, of which the corner tells how many count.
 #[inline(always)]
 #[must_use]
-pub fn encode_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) -> [u32; 10] {
+pub fn encode_triangle(triangle: &LeafTriangle, corner: &LeafCorner, step: f32) -> [u32; 10] {
+    const NARROW: u32 = LeafWidth::Narrow.words();
+    const MIDDLE: u32 = LeafWidth::Middle.words();
     let (v, primitive) = (&triangle.vertices, triangle.primitive);
-    match LeafWidth::of(bounds) {
-        LeafWidth::Narrow => {
-            let [a, b, c, d] = encode_narrow_triangle(triangle, bounds, step);
+    match corner.words {
+        NARROW => {
+            let [a, b, c, d] = encode_narrow_triangle(triangle, corner, step);
             [a, b, c, d, 0, 0, 0, 0, 0, 0]
         }
-        LeafWidth::Middle => {
-            let [x, y, z] = corner(bounds, step);
+        MIDDLE => {
+            let [x, y, z] = corner.min(step);
             let inverse = 1.0 / step;
             // No operation is ever rounded.
             let vertex = |[a, b, c]: [f32; 3]| {
@@ -151,7 +178,7 @@ pub fn encode_triangle(triangle: &LeafTriangle, bounds: &LatticeBox, step: f32) 
             let [e, f] = vertex([v[6], v[7], v[8]]);
             [a, b, c, d, e, f, primitive, 0, 0, 0]
         }
-        LeafWidth::Wide => {
+        _ => {
             let whole = |x: f32| lattice_steps(x, exponent(step)) as u32;
             let [a, b, c] = [whole(v[0]), whole(v[1]), whole(v[2])];
             let [d, e, f] = [whole(v[3]), whole(v[4]), whole(v[5])];
@@ -259,7 +286,7 @@ mod tests {
             for (to, x) in triangle.vertices.iter_mut().zip(vertices.as_flattened()) {
                 *to = *x as f32 * 0.5;
             }
-            let own = encode_triangle(&triangle, &bounds, 0.5);
+            let own = encode_triangle(&triangle, &LeafCorner::of(&bounds), 0.5);
             let at = (first + width.words()) as usize;
             words[at..].copy_from_slice(&own[..width.words() as usize]);
             let triangles = LatticeTriangles { words: &words, step: 0.5 };

@@ -47,7 +47,7 @@ const CRATES: [ShaderCrate; 2] = [
 const MANIFEST: &str = "host/shaders/manifest.json";
 
 /// The entry points of `gpu-shaders`.
-const ENTRY_POINTS: [&str; 110] = [
+const ENTRY_POINTS: [&str; 111] = [
     "bounds",
     "call_trace",
     "camera_encode",
@@ -69,11 +69,12 @@ const ENTRY_POINTS: [&str; 110] = [
     "encode_printed_f32",
     "encode_printed_leaf10",
     "encode_q10_f32",
-    "encode_q10_lattice",
+    "encode_q10_links",
     "encode_q10_sizes",
     "encode_q21_f32",
-    "encode_q21_lattice",
+    "encode_q21_links",
     "encode_q21_sizes",
+    "encode_triangles",
     "frame",
     "morton_30",
     "morton_63",

@@ -8,9 +8,9 @@ use crate::Bvh;
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    BoxCodec, FINEST_STEP, LatticeCodec, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode,
-    PrintedTriangle, RoundedNode, decode_node, encode_narrow_triangle, encode_printed_triangle,
-    encode_triangle, scaled_step, with_links,
+    BoxCodec, FINEST_STEP, LatticeCodec, LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec,
+    PrintedNode, PrintedTriangle, RoundedNode, decode_node, encode_narrow_triangle,
+    encode_printed_triangle, encode_triangle, scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
 use slimbvh_core::lattice::LatticeBox;
@@ -296,9 +296,9 @@ impl OnLattice<'_> {
     fn put_narrow(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
         let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
-        let step = power_of_two(self.step_exponent);
+        let (corner, step) = (LeafCorner::of(bounds), power_of_two(self.step_exponent));
         for (to, leaf) in words.as_chunks_mut::<NARROW>().0.iter_mut().zip(leaves) {
-            *to = encode_narrow_triangle(leaf, bounds, step);
+            *to = encode_narrow_triangle(leaf, &corner, step);
         }
     }
 
@@ -306,8 +306,9 @@ impl OnLattice<'_> {
     fn put<const SIZE: usize>(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
         let leaves = &self.tree.leaves[first..first + leaf.count() as usize];
+        let (corner, step) = (LeafCorner::of(bounds), power_of_two(self.step_exponent));
         for (to, leaf) in words.chunks_exact_mut(SIZE).zip(leaves) {
-            let words = encode_triangle(leaf, bounds, power_of_two(self.step_exponent));
+            let words = encode_triangle(leaf, &corner, step);
             to.copy_from_slice(&words[..SIZE]);
         }
     }

@@ -1,12 +1,12 @@
-//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in two around a scan.
+//! Stage `encode`: nodes and triangles in codecs, in one dispatch, or in three around a scan.
 
 use super::buffer::{Range, Slot};
 use super::bvh::{Built, Coded};
 use super::coding::Coding;
-use super::program::{Groups, Recorder, Uniform};
+use super::program::{Groups, Recorder, Uniform, threads};
 use super::scan::Scan;
 use super::{Gpu, Kernel};
-use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::encode::LeafCorner;
 use wgpu::BufferUsages;
 
 /// Codes hierarchies, and keeps its buffers and what is plain of them.
@@ -14,7 +14,7 @@ use wgpu::BufferUsages;
 pub struct Encoder {
     nodes: Slot,
     triangles: Slot,
-    boxes: Slot,
+    corners: Slot,
     sizes: Slot,
     scan: Scan,
 }
@@ -26,7 +26,7 @@ impl Encoder {
         Self {
             nodes: Slot::storage("slimbvh plain nodes"),
             triangles: Slot::new("slimbvh plain leaf triangles", copied),
-            boxes: Slot::storage("slimbvh decoded boxes"),
+            corners: Slot::storage("slimbvh leaf corners"),
             sizes: Slot::new("slimbvh triangle sizes", copied),
             scan: Scan::new(),
         }
@@ -59,7 +59,7 @@ impl Encoder {
         let zero = Uniform::Params([0; 4]);
         let (plain, leaves) = (&bvh.nodes, &bvh.triangles);
         let (nodes, root) = (&coded.nodes, &coded.root);
-        let [sizes_kernel, kernel] = match coded.coding {
+        let [sizes_kernel, links_kernel] = match coded.coding {
             Coding::PrintedF32 => {
                 let kernel = Kernel::encode_printed_f32;
                 let to = &[nodes, root];
@@ -79,41 +79,44 @@ impl Encoder {
                 };
                 return recorder.dispatch(kernel, &[total], &[plain], &[nodes, root], each_node());
             }
-            Coding::Q10Lattice => [Kernel::encode_q10_sizes, Kernel::encode_q10_lattice],
-            Coding::Q21Lattice => [Kernel::encode_q21_sizes, Kernel::encode_q21_lattice],
+            Coding::Q10Lattice => [Kernel::encode_q10_sizes, Kernel::encode_q10_links],
+            Coding::Q21Lattice => [Kernel::encode_q21_sizes, Kernel::encode_q21_links],
         };
 
         // How many words each triangle takes follows from its leaf's box; where it begins, from all before it.
-        const BOX_BYTES: u64 = size_of::<LatticeBox>() as u64;
-        let node_count = coded.nodes.size / coded.coding.node_bytes();
-        let boxes = self.boxes.range(gpu, BOX_BYTES * node_count);
-        let boxes = &boxes.touching_nodes(BOX_BYTES);
-        let sizes = &self
-            .sizes
-            .range(gpu, 4 * u64::from(bvh.triangle_count.max(1)));
+        const CORNER_BYTES: u64 = size_of::<LeafCorner>() as u64;
+        let count = u64::from(bvh.triangle_count.max(1));
+        let corners = &self.corners.range(gpu, CORNER_BYTES * count);
+        let sizes = &self.sizes.range(gpu, 4 * count);
         // A reduced hierarchy has no more triangles than that, and a scan sums all there are.
         recorder.clear(sizes);
-        let step = Uniform::Params(step);
         recorder.dispatch(
             sizes_kernel,
-            &[total, Uniform::Stored(&bvh.exponent), step],
+            &[total, Uniform::Stored(&bvh.exponent), Uniform::Params(step)],
             &[plain],
-            &[nodes, boxes, sizes, root],
+            &[nodes, corners, sizes, root],
             each_node(),
         );
         self.scan.record(gpu, recorder, sizes, &coded.word_total);
         recorder.read(nodes);
         recorder.dispatch(
-            kernel,
-            &[total, Uniform::Stored(root)],
-            &[plain, leaves, boxes, sizes],
-            &[nodes, &coded.triangles],
+            Kernel::encode_triangles,
+            &[Uniform::Stored(&bvh.count), Uniform::Stored(root)],
+            &[leaves, corners, sizes],
+            &[&coded.triangles],
+            threads(bvh.triangle_count),
+        );
+        recorder.update(
+            links_kernel,
+            &[total],
+            &[plain, sizes],
+            &[nodes],
             each_node(),
         );
     }
 
     pub fn bytes(&self) -> u64 {
-        let slots = [&self.nodes, &self.triangles, &self.boxes, &self.sizes];
+        let slots = [&self.nodes, &self.triangles, &self.corners, &self.sizes];
         let slots = slots.iter().map(|slot| slot.bytes()).sum::<u64>();
         slots + self.scan.bytes()
     }

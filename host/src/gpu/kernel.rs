@@ -45,7 +45,7 @@ kernels! {
     topology_kept_30, topology_kept_63, topology_nodes_30, topology_nodes_63,
     refit_groups, refit_parents, refit_nodes, refit_rounded, refit_splits,
     encode_printed_f32, encode_printed_leaf10, encode_q10_f32, encode_q21_f32,
-    encode_q10_sizes, encode_q10_lattice, encode_q21_sizes, encode_q21_lattice,
+    encode_q10_sizes, encode_q10_links, encode_q21_sizes, encode_q21_links, encode_triangles,
     camera_rays, camera_resolve, camera_encode,
     trace_closest, trace_any, trace_nearest, trace_counted,
     trace_paths, trace_paths_counted, trace_paths_facing, trace_shadows, trace_shadows_facing,

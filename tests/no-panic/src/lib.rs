@@ -14,7 +14,7 @@ use slimbvh_core::decide::{
 };
 use slimbvh_core::encode::{
     EncodedNode, EncodedPrinted, FINEST_STEP, LatticeCodec, LatticeNodes, LatticeTriangles,
-    LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes, PrintedTriangle,
+    LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec, PrintedNode, PrintedNodes, PrintedTriangle,
     PrintedTriangles, RootWords, RoundedNode, decode_node, decode_printed_node, encode_printed_triangle,
     encode_triangle, links_of, node_bounds, scaled_step, with_links,
 };
@@ -195,7 +195,11 @@ pub fn encode_leaf(
     to: Out<([u32; 10], PrintedTriangle)>,
 ) {
     *to = (
-        encode_triangle(triangle, &bounds.0, power_of_two(FINEST_STEP)),
+        encode_triangle(
+            triangle,
+            &LeafCorner::of(&bounds.0),
+            power_of_two(FINEST_STEP),
+        ),
         encode_printed_triangle(triangle, &bounds.1, zero),
     );
 }
