@@ -3,6 +3,7 @@
 use crate::aabb::Aabb;
 use crate::float::power_of_two;
 use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
 
 /// The multiple of `2^step_exponent` nearest to `x`, ties away from zero, as a count of steps.
 ///
@@ -45,6 +46,25 @@ pub const fn lattice_floor(x: f32, step_exponent: i32) -> i32 {
     let steps = x * power_of_two(-step_exponent);
     let whole = steps as i32;
     whole - (whole as f32 > steps) as i32
+}
+
+/// [`lattice_floor`] of four numbers at once.
+#[inline(always)]
+#[must_use]
+pub fn lattice_floors(x: Vec4, step_exponent: i32) -> [i32; 4] {
+    let steps = x * power_of_two(-step_exponent);
+    let [a, b, c, d] = [
+        steps.x as i32,
+        steps.y as i32,
+        steps.z as i32,
+        steps.w as i32,
+    ];
+    [
+        a - (a as f32 > steps.x) as i32,
+        b - (b as f32 > steps.y) as i32,
+        c - (c as f32 > steps.z) as i32,
+        d - (d as f32 > steps.w) as i32,
+    ]
 }
 
 /// The smallest multiple of `2^step_exponent` that is not below `x`, as a count of steps; as [`lattice_floor`].
@@ -169,6 +189,9 @@ mod tests {
             let exact = f64::from(x) * 2f64.powi(-e);
             prop_assert_eq!(f64::from(lattice_floor(x, e)), exact.floor());
             prop_assert_eq!(f64::from(lattice_ceil(x, e)), exact.ceil());
+            let on_floor = lattice_floor(x, e);
+            let four = lattice_floors(Vec4::new(x, -x, 0.0, 1.0), e);
+            prop_assert_eq!(four, [on_floor, -lattice_ceil(x, e), 0, lattice_floor(1.0, e)]);
             let on = lattice_floor(x, e);
             prop_assert_eq!(lattice_steps(on as f32 * 2f32.powi(e), e), on);
         }

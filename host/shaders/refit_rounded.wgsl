@@ -77,122 +77,122 @@ var<storage> global_6: type_4;
 var<storage, read_write> global_7: type_37;
 
 fn function_() {
-    var phi_209_: u32;
-    var phi_439_: type_7;
-    var phi_442_: type_31;
+    var phi_210_: u32;
     var phi_440_: type_7;
-    var phi_465_: type_7;
-    var phi_484_: type_15;
     var phi_443_: type_31;
-    var phi_2470_: bool;
-    var phi_643_: type_29;
-    var phi_646_: type_31;
-    var phi_658_: bool;
-    var phi_683_: type_29;
+    var phi_441_: type_7;
+    var phi_466_: type_7;
+    var phi_485_: type_15;
+    var phi_444_: type_31;
+    var phi_2438_: bool;
     var phi_644_: type_29;
-    var phi_686_: type_7;
-    var phi_705_: type_15;
     var phi_647_: type_31;
-    var phi_2500_: bool;
-    var phi_876_: u32;
-    var phi_879_: type_7;
-    var phi_882_: u32;
-    var phi_884_: u32;
-    var phi_886_: u32;
-    var phi_888_: u32;
-    var phi_890_: type_31;
+    var phi_659_: bool;
+    var phi_684_: type_29;
+    var phi_645_: type_29;
+    var phi_687_: type_7;
+    var phi_706_: type_15;
+    var phi_648_: type_31;
+    var phi_2468_: bool;
+    var phi_877_: u32;
     var phi_880_: type_7;
-    var phi_913_: type_7;
-    var phi_941_: array<f32, 8>;
-    var phi_1012_: u32;
-    var phi_1013_: type_31;
-    var phi_1032_: array<f32, 8>;
-    var phi_1102_: u32;
-    var phi_1103_: type_31;
-    var phi_1122_: u32;
-    var phi_1123_: u32;
-    var phi_1124_: u32;
-    var phi_1125_: u32;
-    var phi_1126_: u32;
-    var phi_1127_: type_31;
     var phi_883_: u32;
     var phi_885_: u32;
     var phi_887_: u32;
     var phi_889_: u32;
     var phi_891_: type_31;
-    var phi_1129_: bool;
-    var phi_2531_: bool;
-    var phi_218_: type_29;
-    var phi_221_: type_31;
-    var phi_233_: bool;
-    var phi_258_: type_29;
+    var phi_881_: type_7;
+    var phi_914_: type_7;
+    var phi_942_: array<f32, 8>;
+    var phi_1013_: u32;
+    var phi_1014_: type_31;
+    var phi_1033_: array<f32, 8>;
+    var phi_1103_: u32;
+    var phi_1104_: type_31;
+    var phi_1123_: u32;
+    var phi_1124_: u32;
+    var phi_1125_: u32;
+    var phi_1126_: u32;
+    var phi_1127_: u32;
+    var phi_1128_: type_31;
+    var phi_884_: u32;
+    var phi_886_: u32;
+    var phi_888_: u32;
+    var phi_890_: u32;
+    var phi_892_: type_31;
+    var phi_1130_: bool;
+    var phi_2499_: bool;
     var phi_219_: type_29;
-    var phi_261_: type_7;
-    var phi_280_: type_15;
     var phi_222_: type_31;
-    var phi_2558_: bool;
-    var phi_2594_: bool;
-    var phi_1130_: type_31;
-    var phi_1156_: u32;
-    var phi_1386_: type_7;
-    var phi_1389_: type_31;
+    var phi_234_: bool;
+    var phi_259_: type_29;
+    var phi_220_: type_29;
+    var phi_262_: type_7;
+    var phi_281_: type_15;
+    var phi_223_: type_31;
+    var phi_2526_: bool;
+    var phi_2562_: bool;
+    var phi_1131_: type_31;
+    var phi_1157_: u32;
     var phi_1387_: type_7;
-    var phi_1412_: type_7;
-    var phi_1431_: type_15;
     var phi_1390_: type_31;
-    var phi_2589_: bool;
-    var phi_1590_: type_29;
-    var phi_1593_: type_31;
-    var phi_1605_: bool;
-    var phi_1630_: type_29;
+    var phi_1388_: type_7;
+    var phi_1413_: type_7;
+    var phi_1432_: type_15;
+    var phi_1391_: type_31;
+    var phi_2557_: bool;
     var phi_1591_: type_29;
-    var phi_1633_: type_7;
-    var phi_1652_: type_15;
     var phi_1594_: type_31;
-    var phi_2620_: bool;
-    var phi_1823_: u32;
-    var phi_1826_: type_7;
-    var phi_1829_: u32;
-    var phi_1831_: u32;
-    var phi_1833_: u32;
-    var phi_1835_: u32;
-    var phi_1837_: type_31;
+    var phi_1606_: bool;
+    var phi_1631_: type_29;
+    var phi_1592_: type_29;
+    var phi_1634_: type_7;
+    var phi_1653_: type_15;
+    var phi_1595_: type_31;
+    var phi_2588_: bool;
+    var phi_1824_: u32;
     var phi_1827_: type_7;
-    var phi_1860_: type_7;
-    var phi_1888_: array<f32, 8>;
-    var phi_1959_: u32;
-    var phi_1960_: type_31;
-    var phi_1979_: array<f32, 8>;
-    var phi_2049_: u32;
-    var phi_2050_: type_31;
-    var phi_2069_: u32;
-    var phi_2070_: u32;
-    var phi_2071_: u32;
-    var phi_2072_: u32;
-    var phi_2073_: u32;
-    var phi_2074_: type_31;
     var phi_1830_: u32;
     var phi_1832_: u32;
     var phi_1834_: u32;
     var phi_1836_: u32;
     var phi_1838_: type_31;
-    var phi_2076_: bool;
-    var phi_2651_: bool;
-    var phi_1165_: type_29;
-    var phi_1168_: type_31;
-    var phi_1180_: bool;
-    var phi_1205_: type_29;
+    var phi_1828_: type_7;
+    var phi_1861_: type_7;
+    var phi_1889_: array<f32, 8>;
+    var phi_1960_: u32;
+    var phi_1961_: type_31;
+    var phi_1980_: array<f32, 8>;
+    var phi_2050_: u32;
+    var phi_2051_: type_31;
+    var phi_2070_: u32;
+    var phi_2071_: u32;
+    var phi_2072_: u32;
+    var phi_2073_: u32;
+    var phi_2074_: u32;
+    var phi_2075_: type_31;
+    var phi_1831_: u32;
+    var phi_1833_: u32;
+    var phi_1835_: u32;
+    var phi_1837_: u32;
+    var phi_1839_: type_31;
+    var phi_2077_: bool;
+    var phi_2619_: bool;
     var phi_1166_: type_29;
-    var phi_1208_: type_7;
-    var phi_1227_: type_15;
     var phi_1169_: type_31;
-    var phi_2678_: bool;
-    var phi_2077_: type_31;
-    var phi_2095_: type_28;
-    var phi_2121_: i32;
+    var phi_1181_: bool;
+    var phi_1206_: type_29;
+    var phi_1167_: type_29;
+    var phi_1209_: type_7;
+    var phi_1228_: type_15;
+    var phi_1170_: type_31;
+    var phi_2646_: bool;
+    var phi_2078_: type_31;
+    var phi_2096_: type_28;
     var phi_2122_: i32;
-    var phi_2140_: type_40;
-    var phi_2158_: type_40;
+    var phi_2123_: i32;
+    var phi_2141_: type_40;
+    var phi_2159_: type_40;
     var local: type_31;
     var local_1: type_31;
     var local_2: type_31;
@@ -228,60 +228,60 @@ fn function_() {
                         }
                         let _e87 = global_6.member[_e59];
                         if (_e71 == 2147483648u) {
-                            phi_2095_ = type_28(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e71, _e75, _e79, _e83);
+                            phi_2096_ = type_28(array<array<f32, 4>, 3>(array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f), array<f32, 4>(0f, 0f, 0f, 0f)), _e71, _e75, _e79, _e83);
                         } else {
                             let _e89 = (_e79 / 4u);
                             if ((_e79 % 4u) > 0u) {
-                                phi_209_ = (_e89 + 1u);
+                                phi_210_ = (_e89 + 1u);
                             } else {
-                                phi_209_ = _e89;
+                                phi_210_ = _e89;
                             }
-                            let _e94 = phi_209_;
+                            let _e94 = phi_210_;
                             let _e95 = (_e87 + 1u);
                             let _e96 = (_e95 / 4u);
                             if (_e94 >= _e96) {
-                                phi_218_ = type_29(_e79, _e87, false);
-                                phi_221_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+                                phi_219_ = type_29(_e79, _e87, false);
+                                phi_222_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
                                 loop {
-                                    let _e506 = phi_218_;
-                                    let _e508 = phi_221_;
+                                    let _e506 = phi_219_;
+                                    let _e508 = phi_222_;
                                     local_2 = _e508;
                                     if _e506.member_2 {
-                                        phi_233_ = true;
+                                        phi_234_ = true;
                                     } else {
-                                        phi_233_ = !((_e506.member <= _e506.member_1));
+                                        phi_234_ = !((_e506.member <= _e506.member_1));
                                     }
-                                    let _e515 = phi_233_;
+                                    let _e515 = phi_234_;
                                     if _e515 {
-                                        phi_219_ = _e506;
-                                        phi_261_ = type_7(0u, type_7().member_1);
+                                        phi_220_ = _e506;
+                                        phi_262_ = type_7(0u, type_7().member_1);
                                     } else {
                                         if (_e506.member < _e506.member_1) {
-                                            phi_258_ = type_29((_e506.member + 1u), _e506.member_1, _e506.member_2);
+                                            phi_259_ = type_29((_e506.member + 1u), _e506.member_1, _e506.member_2);
                                         } else {
-                                            phi_258_ = type_29(_e506.member, _e506.member_1, true);
+                                            phi_259_ = type_29(_e506.member, _e506.member_1, true);
                                         }
-                                        let _e529 = phi_258_;
-                                        phi_219_ = _e529;
-                                        phi_261_ = type_7(1u, _e506.member);
+                                        let _e529 = phi_259_;
+                                        phi_220_ = _e529;
+                                        phi_262_ = type_7(1u, _e506.member);
                                     }
-                                    let _e535 = phi_219_;
-                                    let _e537 = phi_261_;
+                                    let _e535 = phi_220_;
+                                    let _e537 = phi_262_;
                                     let _e541 = (bitcast<i32>(_e537.member) != 0i);
                                     if _e541 {
                                         let _e542 = (_e537.member_1 < _e49);
                                         if _e542 {
                                             if _e542 {
                                             } else {
-                                                phi_2558_ = true;
+                                                phi_2526_ = true;
                                                 break;
                                             }
                                             let _e545 = global_4.member[_e537.member_1];
-                                            phi_280_ = _e545;
+                                            phi_281_ = _e545;
                                         } else {
-                                            phi_280_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_281_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e547 = phi_280_;
+                                        let _e547 = phi_281_;
                                         let _e559 = bitcast<f32>(_e547.member_1);
                                         let _e561 = select(_e547.member[3], _e547.member[0], (_e547.member[0] < _e547.member[3]));
                                         let _e563 = select(_e547.member[4], _e547.member[1], (_e547.member[1] < _e547.member[4]));
@@ -299,57 +299,57 @@ fn function_() {
                                         let _e587 = select(_e547.member[7], _e579, (_e579 > _e547.member[7]));
                                         let _e589 = select(_e547.member[8], _e581, (_e581 > _e547.member[8]));
                                         let _e591 = select(_e559, _e583, (_e583 > _e559));
-                                        phi_222_ = type_31(vec4<f32>(select(_e569, _e508.member.x, (_e508.member.x < _e569)), select(_e571, _e508.member.y, (_e508.member.y < _e571)), select(_e573, _e508.member.z, (_e508.member.z < _e573)), select(_e575, _e508.member.w, (_e508.member.w < _e575))), vec4<f32>(select(_e585, _e508.member_1.x, (_e508.member_1.x > _e585)), select(_e587, _e508.member_1.y, (_e508.member_1.y > _e587)), select(_e589, _e508.member_1.z, (_e508.member_1.z > _e589)), select(_e591, _e508.member_1.w, (_e508.member_1.w > _e591))));
+                                        phi_223_ = type_31(vec4<f32>(select(_e569, _e508.member.x, (_e508.member.x < _e569)), select(_e571, _e508.member.y, (_e508.member.y < _e571)), select(_e573, _e508.member.z, (_e508.member.z < _e573)), select(_e575, _e508.member.w, (_e508.member.w < _e575))), vec4<f32>(select(_e585, _e508.member_1.x, (_e508.member_1.x > _e585)), select(_e587, _e508.member_1.y, (_e508.member_1.y > _e587)), select(_e589, _e508.member_1.z, (_e508.member_1.z > _e589)), select(_e591, _e508.member_1.w, (_e508.member_1.w > _e591))));
                                     } else {
-                                        phi_222_ = type_31();
+                                        phi_223_ = type_31();
                                     }
-                                    let _e622 = phi_222_;
+                                    let _e622 = phi_223_;
                                     continue;
                                     continuing {
-                                        phi_218_ = _e535;
-                                        phi_221_ = _e622;
-                                        phi_2558_ = false;
+                                        phi_219_ = _e535;
+                                        phi_222_ = _e622;
+                                        phi_2526_ = false;
                                         break if !(_e541);
                                     }
                                 }
-                                let _e625 = phi_2558_;
+                                let _e625 = phi_2526_;
                                 if _e625 {
                                     break;
                                 }
-                                phi_2594_ = _e625;
-                                let _e1486 = local_2;
-                                phi_1130_ = _e1486;
+                                phi_2562_ = _e625;
+                                let _e1498 = local_2;
+                                phi_1131_ = _e1498;
                             } else {
-                                phi_439_ = type_7(_e79, (_e94 * 4u));
-                                phi_442_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+                                phi_440_ = type_7(_e79, (_e94 * 4u));
+                                phi_443_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
                                 loop {
-                                    let _e101 = phi_439_;
-                                    let _e103 = phi_442_;
+                                    let _e101 = phi_440_;
+                                    let _e103 = phi_443_;
                                     local = _e103;
                                     if (_e101.member < _e101.member_1) {
-                                        phi_440_ = type_7((_e101.member + 1u), _e101.member_1);
-                                        phi_465_ = type_7(1u, _e101.member);
+                                        phi_441_ = type_7((_e101.member + 1u), _e101.member_1);
+                                        phi_466_ = type_7(1u, _e101.member);
                                     } else {
-                                        phi_440_ = _e101;
-                                        phi_465_ = type_7(0u, type_7().member_1);
+                                        phi_441_ = _e101;
+                                        phi_466_ = type_7(0u, type_7().member_1);
                                     }
-                                    let _e116 = phi_440_;
-                                    let _e118 = phi_465_;
+                                    let _e116 = phi_441_;
+                                    let _e118 = phi_466_;
                                     let _e122 = (bitcast<i32>(_e118.member) != 0i);
                                     if _e122 {
                                         let _e123 = (_e118.member_1 < _e49);
                                         if _e123 {
                                             if _e123 {
                                             } else {
-                                                phi_2470_ = true;
+                                                phi_2438_ = true;
                                                 break;
                                             }
                                             let _e126 = global_4.member[_e118.member_1];
-                                            phi_484_ = _e126;
+                                            phi_485_ = _e126;
                                         } else {
-                                            phi_484_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_485_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e128 = phi_484_;
+                                        let _e128 = phi_485_;
                                         let _e140 = bitcast<f32>(_e128.member_1);
                                         let _e142 = select(_e128.member[3], _e128.member[0], (_e128.member[0] < _e128.member[3]));
                                         let _e144 = select(_e128.member[4], _e128.member[1], (_e128.member[1] < _e128.member[4]));
@@ -367,66 +367,66 @@ fn function_() {
                                         let _e168 = select(_e128.member[7], _e160, (_e160 > _e128.member[7]));
                                         let _e170 = select(_e128.member[8], _e162, (_e162 > _e128.member[8]));
                                         let _e172 = select(_e140, _e164, (_e164 > _e140));
-                                        phi_443_ = type_31(vec4<f32>(select(_e150, _e103.member.x, (_e103.member.x < _e150)), select(_e152, _e103.member.y, (_e103.member.y < _e152)), select(_e154, _e103.member.z, (_e103.member.z < _e154)), select(_e156, _e103.member.w, (_e103.member.w < _e156))), vec4<f32>(select(_e166, _e103.member_1.x, (_e103.member_1.x > _e166)), select(_e168, _e103.member_1.y, (_e103.member_1.y > _e168)), select(_e170, _e103.member_1.z, (_e103.member_1.z > _e170)), select(_e172, _e103.member_1.w, (_e103.member_1.w > _e172))));
+                                        phi_444_ = type_31(vec4<f32>(select(_e150, _e103.member.x, (_e103.member.x < _e150)), select(_e152, _e103.member.y, (_e103.member.y < _e152)), select(_e154, _e103.member.z, (_e103.member.z < _e154)), select(_e156, _e103.member.w, (_e103.member.w < _e156))), vec4<f32>(select(_e166, _e103.member_1.x, (_e103.member_1.x > _e166)), select(_e168, _e103.member_1.y, (_e103.member_1.y > _e168)), select(_e170, _e103.member_1.z, (_e103.member_1.z > _e170)), select(_e172, _e103.member_1.w, (_e103.member_1.w > _e172))));
                                     } else {
-                                        phi_443_ = type_31();
+                                        phi_444_ = type_31();
                                     }
-                                    let _e203 = phi_443_;
+                                    let _e203 = phi_444_;
                                     continue;
                                     continuing {
-                                        phi_439_ = _e116;
-                                        phi_442_ = _e203;
-                                        phi_2470_ = false;
+                                        phi_440_ = _e116;
+                                        phi_443_ = _e203;
+                                        phi_2438_ = false;
                                         break if !(_e122);
                                     }
                                 }
-                                let _e206 = phi_2470_;
+                                let _e206 = phi_2438_;
                                 if _e206 {
                                     break;
                                 }
-                                phi_643_ = type_29((_e96 * 4u), _e87, false);
-                                let _e1436 = local;
-                                phi_646_ = _e1436;
+                                phi_644_ = type_29((_e96 * 4u), _e87, false);
+                                let _e1448 = local;
+                                phi_647_ = _e1448;
                                 loop {
-                                    let _e210 = phi_643_;
-                                    let _e212 = phi_646_;
+                                    let _e210 = phi_644_;
+                                    let _e212 = phi_647_;
                                     local_1 = _e212;
                                     if _e210.member_2 {
-                                        phi_658_ = true;
+                                        phi_659_ = true;
                                     } else {
-                                        phi_658_ = !((_e210.member <= _e210.member_1));
+                                        phi_659_ = !((_e210.member <= _e210.member_1));
                                     }
-                                    let _e219 = phi_658_;
+                                    let _e219 = phi_659_;
                                     if _e219 {
-                                        phi_644_ = _e210;
-                                        phi_686_ = type_7(0u, type_7().member_1);
+                                        phi_645_ = _e210;
+                                        phi_687_ = type_7(0u, type_7().member_1);
                                     } else {
                                         if (_e210.member < _e210.member_1) {
-                                            phi_683_ = type_29((_e210.member + 1u), _e210.member_1, _e210.member_2);
+                                            phi_684_ = type_29((_e210.member + 1u), _e210.member_1, _e210.member_2);
                                         } else {
-                                            phi_683_ = type_29(_e210.member, _e210.member_1, true);
+                                            phi_684_ = type_29(_e210.member, _e210.member_1, true);
                                         }
-                                        let _e233 = phi_683_;
-                                        phi_644_ = _e233;
-                                        phi_686_ = type_7(1u, _e210.member);
+                                        let _e233 = phi_684_;
+                                        phi_645_ = _e233;
+                                        phi_687_ = type_7(1u, _e210.member);
                                     }
-                                    let _e239 = phi_644_;
-                                    let _e241 = phi_686_;
+                                    let _e239 = phi_645_;
+                                    let _e241 = phi_687_;
                                     let _e245 = (bitcast<i32>(_e241.member) != 0i);
                                     if _e245 {
                                         let _e246 = (_e241.member_1 < _e49);
                                         if _e246 {
                                             if _e246 {
                                             } else {
-                                                phi_2500_ = true;
+                                                phi_2468_ = true;
                                                 break;
                                             }
                                             let _e249 = global_4.member[_e241.member_1];
-                                            phi_705_ = _e249;
+                                            phi_706_ = _e249;
                                         } else {
-                                            phi_705_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_706_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e251 = phi_705_;
+                                        let _e251 = phi_706_;
                                         let _e263 = bitcast<f32>(_e251.member_1);
                                         let _e265 = select(_e251.member[3], _e251.member[0], (_e251.member[0] < _e251.member[3]));
                                         let _e267 = select(_e251.member[4], _e251.member[1], (_e251.member[1] < _e251.member[4]));
@@ -444,62 +444,62 @@ fn function_() {
                                         let _e291 = select(_e251.member[7], _e283, (_e283 > _e251.member[7]));
                                         let _e293 = select(_e251.member[8], _e285, (_e285 > _e251.member[8]));
                                         let _e295 = select(_e263, _e287, (_e287 > _e263));
-                                        phi_647_ = type_31(vec4<f32>(select(_e273, _e212.member.x, (_e212.member.x < _e273)), select(_e275, _e212.member.y, (_e212.member.y < _e275)), select(_e277, _e212.member.z, (_e212.member.z < _e277)), select(_e279, _e212.member.w, (_e212.member.w < _e279))), vec4<f32>(select(_e289, _e212.member_1.x, (_e212.member_1.x > _e289)), select(_e291, _e212.member_1.y, (_e212.member_1.y > _e291)), select(_e293, _e212.member_1.z, (_e212.member_1.z > _e293)), select(_e295, _e212.member_1.w, (_e212.member_1.w > _e295))));
+                                        phi_648_ = type_31(vec4<f32>(select(_e273, _e212.member.x, (_e212.member.x < _e273)), select(_e275, _e212.member.y, (_e212.member.y < _e275)), select(_e277, _e212.member.z, (_e212.member.z < _e277)), select(_e279, _e212.member.w, (_e212.member.w < _e279))), vec4<f32>(select(_e289, _e212.member_1.x, (_e212.member_1.x > _e289)), select(_e291, _e212.member_1.y, (_e212.member_1.y > _e291)), select(_e293, _e212.member_1.z, (_e212.member_1.z > _e293)), select(_e295, _e212.member_1.w, (_e212.member_1.w > _e295))));
                                     } else {
-                                        phi_647_ = type_31();
+                                        phi_648_ = type_31();
                                     }
-                                    let _e326 = phi_647_;
+                                    let _e326 = phi_648_;
                                     continue;
                                     continuing {
-                                        phi_643_ = _e239;
-                                        phi_646_ = _e326;
-                                        phi_2500_ = _e206;
+                                        phi_644_ = _e239;
+                                        phi_647_ = _e326;
+                                        phi_2468_ = _e206;
                                         break if !(_e245);
                                     }
                                 }
-                                let _e329 = phi_2500_;
+                                let _e329 = phi_2468_;
                                 if _e329 {
                                     break;
                                 }
                                 let _e330 = (_e49 / 4u);
                                 if ((_e49 % 4u) > 0u) {
-                                    phi_876_ = (_e330 + 1u);
+                                    phi_877_ = (_e330 + 1u);
                                 } else {
-                                    phi_876_ = _e330;
+                                    phi_877_ = _e330;
                                 }
-                                let _e335 = phi_876_;
-                                phi_879_ = type_7(0u, 32u);
-                                phi_882_ = _e335;
-                                phi_884_ = 0u;
-                                phi_886_ = _e96;
-                                phi_888_ = _e94;
-                                let _e1452 = local_1;
-                                phi_890_ = _e1452;
+                                let _e335 = phi_877_;
+                                phi_880_ = type_7(0u, 32u);
+                                phi_883_ = _e335;
+                                phi_885_ = 0u;
+                                phi_887_ = _e96;
+                                phi_889_ = _e94;
+                                let _e1464 = local_1;
+                                phi_891_ = _e1464;
                                 loop {
-                                    let _e337 = phi_879_;
-                                    let _e339 = phi_882_;
-                                    let _e341 = phi_884_;
-                                    let _e343 = phi_886_;
-                                    let _e345 = phi_888_;
-                                    let _e347 = phi_890_;
+                                    let _e337 = phi_880_;
+                                    let _e339 = phi_883_;
+                                    let _e341 = phi_885_;
+                                    let _e343 = phi_887_;
+                                    let _e345 = phi_889_;
+                                    let _e347 = phi_891_;
                                     local_3 = _e347;
                                     if (_e337.member < _e337.member_1) {
-                                        phi_880_ = type_7((_e337.member + 1u), _e337.member_1);
-                                        phi_913_ = type_7(1u, _e337.member);
+                                        phi_881_ = type_7((_e337.member + 1u), _e337.member_1);
+                                        phi_914_ = type_7(1u, _e337.member);
                                     } else {
-                                        phi_880_ = _e337;
-                                        phi_913_ = type_7(0u, type_7().member_1);
+                                        phi_881_ = _e337;
+                                        phi_914_ = type_7(0u, type_7().member_1);
                                     }
-                                    let _e360 = phi_880_;
-                                    let _e362 = phi_913_;
+                                    let _e360 = phi_881_;
+                                    let _e362 = phi_914_;
                                     if (bitcast<i32>(_e362.member) != 0i) {
                                         let _e366 = (_e345 >= _e343);
                                         if _e366 {
-                                            phi_1123_ = u32();
                                             phi_1124_ = u32();
                                             phi_1125_ = u32();
                                             phi_1126_ = u32();
-                                            phi_1127_ = type_31();
+                                            phi_1127_ = u32();
+                                            phi_1128_ = type_31();
                                         } else {
                                             if ((_e345 & 1u) == 1u) {
                                                 let _e369 = (_e341 + _e345);
@@ -507,23 +507,23 @@ fn function_() {
                                                 if _e370 {
                                                     if _e370 {
                                                     } else {
-                                                        phi_2531_ = true;
+                                                        phi_2499_ = true;
                                                         break;
                                                     }
                                                     let _e373 = global_5.member[_e369];
-                                                    phi_941_ = _e373;
+                                                    phi_942_ = _e373;
                                                 } else {
-                                                    phi_941_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                                                    phi_942_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                                                 }
-                                                let _e375 = phi_941_;
-                                                phi_1012_ = (_e345 + 1u);
-                                                phi_1013_ = type_31(vec4<f32>(select(_e375[0], _e347.member.x, (_e347.member.x < _e375[0])), select(_e375[1], _e347.member.y, (_e347.member.y < _e375[1])), select(_e375[2], _e347.member.z, (_e347.member.z < _e375[2])), select(_e375[3], _e347.member.w, (_e347.member.w < _e375[3]))), vec4<f32>(select(_e375[4], _e347.member_1.x, (_e347.member_1.x > _e375[4])), select(_e375[5], _e347.member_1.y, (_e347.member_1.y > _e375[5])), select(_e375[6], _e347.member_1.z, (_e347.member_1.z > _e375[6])), select(_e375[7], _e347.member_1.w, (_e347.member_1.w > _e375[7]))));
+                                                let _e375 = phi_942_;
+                                                phi_1013_ = (_e345 + 1u);
+                                                phi_1014_ = type_31(vec4<f32>(select(_e375[0], _e347.member.x, (_e347.member.x < _e375[0])), select(_e375[1], _e347.member.y, (_e347.member.y < _e375[1])), select(_e375[2], _e347.member.z, (_e347.member.z < _e375[2])), select(_e375[3], _e347.member.w, (_e347.member.w < _e375[3]))), vec4<f32>(select(_e375[4], _e347.member_1.x, (_e347.member_1.x > _e375[4])), select(_e375[5], _e347.member_1.y, (_e347.member_1.y > _e375[5])), select(_e375[6], _e347.member_1.z, (_e347.member_1.z > _e375[6])), select(_e375[7], _e347.member_1.w, (_e347.member_1.w > _e375[7]))));
                                             } else {
-                                                phi_1012_ = _e345;
-                                                phi_1013_ = _e347;
+                                                phi_1013_ = _e345;
+                                                phi_1014_ = _e347;
                                             }
-                                            let _e415 = phi_1012_;
-                                            let _e417 = phi_1013_;
+                                            let _e415 = phi_1013_;
+                                            let _e417 = phi_1014_;
                                             if ((_e343 & 1u) == 1u) {
                                                 let _e420 = (_e343 - 1u);
                                                 let _e421 = (_e341 + _e420);
@@ -531,133 +531,133 @@ fn function_() {
                                                 if _e422 {
                                                     if _e422 {
                                                     } else {
-                                                        phi_2531_ = true;
+                                                        phi_2499_ = true;
                                                         break;
                                                     }
                                                     let _e425 = global_5.member[_e421];
-                                                    phi_1032_ = _e425;
+                                                    phi_1033_ = _e425;
                                                 } else {
-                                                    phi_1032_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                                                    phi_1033_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                                                 }
-                                                let _e427 = phi_1032_;
-                                                phi_1102_ = _e420;
-                                                phi_1103_ = type_31(vec4<f32>(select(_e427[0], _e417.member.x, (_e417.member.x < _e427[0])), select(_e427[1], _e417.member.y, (_e417.member.y < _e427[1])), select(_e427[2], _e417.member.z, (_e417.member.z < _e427[2])), select(_e427[3], _e417.member.w, (_e417.member.w < _e427[3]))), vec4<f32>(select(_e427[4], _e417.member_1.x, (_e417.member_1.x > _e427[4])), select(_e427[5], _e417.member_1.y, (_e417.member_1.y > _e427[5])), select(_e427[6], _e417.member_1.z, (_e417.member_1.z > _e427[6])), select(_e427[7], _e417.member_1.w, (_e417.member_1.w > _e427[7]))));
+                                                let _e427 = phi_1033_;
+                                                phi_1103_ = _e420;
+                                                phi_1104_ = type_31(vec4<f32>(select(_e427[0], _e417.member.x, (_e417.member.x < _e427[0])), select(_e427[1], _e417.member.y, (_e417.member.y < _e427[1])), select(_e427[2], _e417.member.z, (_e417.member.z < _e427[2])), select(_e427[3], _e417.member.w, (_e417.member.w < _e427[3]))), vec4<f32>(select(_e427[4], _e417.member_1.x, (_e417.member_1.x > _e427[4])), select(_e427[5], _e417.member_1.y, (_e417.member_1.y > _e427[5])), select(_e427[6], _e417.member_1.z, (_e417.member_1.z > _e427[6])), select(_e427[7], _e417.member_1.w, (_e417.member_1.w > _e427[7]))));
                                             } else {
-                                                phi_1102_ = _e343;
-                                                phi_1103_ = _e417;
+                                                phi_1103_ = _e343;
+                                                phi_1104_ = _e417;
                                             }
-                                            let _e466 = phi_1102_;
-                                            let _e468 = phi_1103_;
+                                            let _e466 = phi_1103_;
+                                            let _e468 = phi_1104_;
                                             let _e472 = (_e339 / 2u);
                                             if ((_e339 % 2u) > 0u) {
-                                                phi_1122_ = (_e472 + 1u);
+                                                phi_1123_ = (_e472 + 1u);
                                             } else {
-                                                phi_1122_ = _e472;
+                                                phi_1123_ = _e472;
                                             }
-                                            let _e477 = phi_1122_;
-                                            phi_1123_ = _e477;
-                                            phi_1124_ = (_e341 + _e339);
-                                            phi_1125_ = (_e466 / 2u);
-                                            phi_1126_ = (_e415 / 2u);
-                                            phi_1127_ = _e468;
+                                            let _e477 = phi_1123_;
+                                            phi_1124_ = _e477;
+                                            phi_1125_ = (_e341 + _e339);
+                                            phi_1126_ = (_e466 / 2u);
+                                            phi_1127_ = (_e415 / 2u);
+                                            phi_1128_ = _e468;
                                         }
-                                        let _e479 = phi_1123_;
-                                        let _e481 = phi_1124_;
-                                        let _e483 = phi_1125_;
-                                        let _e485 = phi_1126_;
-                                        let _e487 = phi_1127_;
-                                        phi_883_ = _e479;
-                                        phi_885_ = _e481;
-                                        phi_887_ = _e483;
-                                        phi_889_ = _e485;
-                                        phi_891_ = _e487;
-                                        phi_1129_ = select(true, false, _e366);
+                                        let _e479 = phi_1124_;
+                                        let _e481 = phi_1125_;
+                                        let _e483 = phi_1126_;
+                                        let _e485 = phi_1127_;
+                                        let _e487 = phi_1128_;
+                                        phi_884_ = _e479;
+                                        phi_886_ = _e481;
+                                        phi_888_ = _e483;
+                                        phi_890_ = _e485;
+                                        phi_892_ = _e487;
+                                        phi_1130_ = select(true, false, _e366);
                                     } else {
-                                        phi_883_ = u32();
-                                        phi_885_ = u32();
-                                        phi_887_ = u32();
-                                        phi_889_ = u32();
-                                        phi_891_ = type_31();
-                                        phi_1129_ = false;
+                                        phi_884_ = u32();
+                                        phi_886_ = u32();
+                                        phi_888_ = u32();
+                                        phi_890_ = u32();
+                                        phi_892_ = type_31();
+                                        phi_1130_ = false;
                                     }
-                                    let _e490 = phi_883_;
-                                    let _e492 = phi_885_;
-                                    let _e494 = phi_887_;
-                                    let _e496 = phi_889_;
-                                    let _e498 = phi_891_;
-                                    let _e500 = phi_1129_;
+                                    let _e490 = phi_884_;
+                                    let _e492 = phi_886_;
+                                    let _e494 = phi_888_;
+                                    let _e496 = phi_890_;
+                                    let _e498 = phi_892_;
+                                    let _e500 = phi_1130_;
                                     continue;
                                     continuing {
-                                        phi_879_ = _e360;
-                                        phi_882_ = _e490;
-                                        phi_884_ = _e492;
-                                        phi_886_ = _e494;
-                                        phi_888_ = _e496;
-                                        phi_890_ = _e498;
-                                        phi_2531_ = _e329;
+                                        phi_880_ = _e360;
+                                        phi_883_ = _e490;
+                                        phi_885_ = _e492;
+                                        phi_887_ = _e494;
+                                        phi_889_ = _e496;
+                                        phi_891_ = _e498;
+                                        phi_2499_ = _e329;
                                         break if !(_e500);
                                     }
                                 }
-                                let _e503 = phi_2531_;
+                                let _e503 = phi_2499_;
                                 if _e503 {
                                     break;
                                 }
-                                phi_2594_ = _e503;
-                                let _e1488 = local_3;
-                                phi_1130_ = _e1488;
+                                phi_2562_ = _e503;
+                                let _e1500 = local_3;
+                                phi_1131_ = _e1500;
                             }
-                            let _e627 = phi_2594_;
-                            let _e629 = phi_1130_;
+                            let _e627 = phi_2562_;
+                            let _e629 = phi_1131_;
                             if ((_e95 % 4u) > 0u) {
-                                phi_1156_ = (_e96 + 1u);
+                                phi_1157_ = (_e96 + 1u);
                             } else {
-                                phi_1156_ = _e96;
+                                phi_1157_ = _e96;
                             }
-                            let _e642 = phi_1156_;
+                            let _e642 = phi_1157_;
                             let _e644 = ((_e83 + 1u) / 4u);
                             if (_e642 >= _e644) {
-                                phi_1165_ = type_29(_e95, _e83, false);
-                                phi_1168_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+                                phi_1166_ = type_29(_e95, _e83, false);
+                                phi_1169_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
                                 loop {
-                                    let _e1054 = phi_1165_;
-                                    let _e1056 = phi_1168_;
+                                    let _e1054 = phi_1166_;
+                                    let _e1056 = phi_1169_;
                                     local_6 = _e1056;
                                     if _e1054.member_2 {
-                                        phi_1180_ = true;
+                                        phi_1181_ = true;
                                     } else {
-                                        phi_1180_ = !((_e1054.member <= _e1054.member_1));
+                                        phi_1181_ = !((_e1054.member <= _e1054.member_1));
                                     }
-                                    let _e1063 = phi_1180_;
+                                    let _e1063 = phi_1181_;
                                     if _e1063 {
-                                        phi_1166_ = _e1054;
-                                        phi_1208_ = type_7(0u, type_7().member_1);
+                                        phi_1167_ = _e1054;
+                                        phi_1209_ = type_7(0u, type_7().member_1);
                                     } else {
                                         if (_e1054.member < _e1054.member_1) {
-                                            phi_1205_ = type_29((_e1054.member + 1u), _e1054.member_1, _e1054.member_2);
+                                            phi_1206_ = type_29((_e1054.member + 1u), _e1054.member_1, _e1054.member_2);
                                         } else {
-                                            phi_1205_ = type_29(_e1054.member, _e1054.member_1, true);
+                                            phi_1206_ = type_29(_e1054.member, _e1054.member_1, true);
                                         }
-                                        let _e1077 = phi_1205_;
-                                        phi_1166_ = _e1077;
-                                        phi_1208_ = type_7(1u, _e1054.member);
+                                        let _e1077 = phi_1206_;
+                                        phi_1167_ = _e1077;
+                                        phi_1209_ = type_7(1u, _e1054.member);
                                     }
-                                    let _e1083 = phi_1166_;
-                                    let _e1085 = phi_1208_;
+                                    let _e1083 = phi_1167_;
+                                    let _e1085 = phi_1209_;
                                     let _e1089 = (bitcast<i32>(_e1085.member) != 0i);
                                     if _e1089 {
                                         let _e1090 = (_e1085.member_1 < _e49);
                                         if _e1090 {
                                             if _e1090 {
                                             } else {
-                                                phi_2678_ = true;
+                                                phi_2646_ = true;
                                                 break;
                                             }
                                             let _e1093 = global_4.member[_e1085.member_1];
-                                            phi_1227_ = _e1093;
+                                            phi_1228_ = _e1093;
                                         } else {
-                                            phi_1227_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_1228_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e1095 = phi_1227_;
+                                        let _e1095 = phi_1228_;
                                         let _e1107 = bitcast<f32>(_e1095.member_1);
                                         let _e1109 = select(_e1095.member[3], _e1095.member[0], (_e1095.member[0] < _e1095.member[3]));
                                         let _e1111 = select(_e1095.member[4], _e1095.member[1], (_e1095.member[1] < _e1095.member[4]));
@@ -675,56 +675,56 @@ fn function_() {
                                         let _e1135 = select(_e1095.member[7], _e1127, (_e1127 > _e1095.member[7]));
                                         let _e1137 = select(_e1095.member[8], _e1129, (_e1129 > _e1095.member[8]));
                                         let _e1139 = select(_e1107, _e1131, (_e1131 > _e1107));
-                                        phi_1169_ = type_31(vec4<f32>(select(_e1117, _e1056.member.x, (_e1056.member.x < _e1117)), select(_e1119, _e1056.member.y, (_e1056.member.y < _e1119)), select(_e1121, _e1056.member.z, (_e1056.member.z < _e1121)), select(_e1123, _e1056.member.w, (_e1056.member.w < _e1123))), vec4<f32>(select(_e1133, _e1056.member_1.x, (_e1056.member_1.x > _e1133)), select(_e1135, _e1056.member_1.y, (_e1056.member_1.y > _e1135)), select(_e1137, _e1056.member_1.z, (_e1056.member_1.z > _e1137)), select(_e1139, _e1056.member_1.w, (_e1056.member_1.w > _e1139))));
+                                        phi_1170_ = type_31(vec4<f32>(select(_e1117, _e1056.member.x, (_e1056.member.x < _e1117)), select(_e1119, _e1056.member.y, (_e1056.member.y < _e1119)), select(_e1121, _e1056.member.z, (_e1056.member.z < _e1121)), select(_e1123, _e1056.member.w, (_e1056.member.w < _e1123))), vec4<f32>(select(_e1133, _e1056.member_1.x, (_e1056.member_1.x > _e1133)), select(_e1135, _e1056.member_1.y, (_e1056.member_1.y > _e1135)), select(_e1137, _e1056.member_1.z, (_e1056.member_1.z > _e1137)), select(_e1139, _e1056.member_1.w, (_e1056.member_1.w > _e1139))));
                                     } else {
-                                        phi_1169_ = type_31();
+                                        phi_1170_ = type_31();
                                     }
-                                    let _e1170 = phi_1169_;
+                                    let _e1170 = phi_1170_;
                                     continue;
                                     continuing {
-                                        phi_1165_ = _e1083;
-                                        phi_1168_ = _e1170;
-                                        phi_2678_ = _e627;
+                                        phi_1166_ = _e1083;
+                                        phi_1169_ = _e1170;
+                                        phi_2646_ = _e627;
                                         break if !(_e1089);
                                     }
                                 }
-                                let _e1173 = phi_2678_;
+                                let _e1173 = phi_2646_;
                                 if _e1173 {
                                     break;
                                 }
-                                let _e1549 = local_6;
-                                phi_2077_ = _e1549;
+                                let _e1561 = local_6;
+                                phi_2078_ = _e1561;
                             } else {
-                                phi_1386_ = type_7(_e95, (_e642 * 4u));
-                                phi_1389_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
+                                phi_1387_ = type_7(_e95, (_e642 * 4u));
+                                phi_1390_ = type_31(vec4<f32>(340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f, 340282350000000000000000000000000000000f), vec4<f32>(-340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f, -340282350000000000000000000000000000000f));
                                 loop {
-                                    let _e649 = phi_1386_;
-                                    let _e651 = phi_1389_;
+                                    let _e649 = phi_1387_;
+                                    let _e651 = phi_1390_;
                                     local_4 = _e651;
                                     if (_e649.member < _e649.member_1) {
-                                        phi_1387_ = type_7((_e649.member + 1u), _e649.member_1);
-                                        phi_1412_ = type_7(1u, _e649.member);
+                                        phi_1388_ = type_7((_e649.member + 1u), _e649.member_1);
+                                        phi_1413_ = type_7(1u, _e649.member);
                                     } else {
-                                        phi_1387_ = _e649;
-                                        phi_1412_ = type_7(0u, type_7().member_1);
+                                        phi_1388_ = _e649;
+                                        phi_1413_ = type_7(0u, type_7().member_1);
                                     }
-                                    let _e664 = phi_1387_;
-                                    let _e666 = phi_1412_;
+                                    let _e664 = phi_1388_;
+                                    let _e666 = phi_1413_;
                                     let _e670 = (bitcast<i32>(_e666.member) != 0i);
                                     if _e670 {
                                         let _e671 = (_e666.member_1 < _e49);
                                         if _e671 {
                                             if _e671 {
                                             } else {
-                                                phi_2589_ = true;
+                                                phi_2557_ = true;
                                                 break;
                                             }
                                             let _e674 = global_4.member[_e666.member_1];
-                                            phi_1431_ = _e674;
+                                            phi_1432_ = _e674;
                                         } else {
-                                            phi_1431_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_1432_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e676 = phi_1431_;
+                                        let _e676 = phi_1432_;
                                         let _e688 = bitcast<f32>(_e676.member_1);
                                         let _e690 = select(_e676.member[3], _e676.member[0], (_e676.member[0] < _e676.member[3]));
                                         let _e692 = select(_e676.member[4], _e676.member[1], (_e676.member[1] < _e676.member[4]));
@@ -742,66 +742,66 @@ fn function_() {
                                         let _e716 = select(_e676.member[7], _e708, (_e708 > _e676.member[7]));
                                         let _e718 = select(_e676.member[8], _e710, (_e710 > _e676.member[8]));
                                         let _e720 = select(_e688, _e712, (_e712 > _e688));
-                                        phi_1390_ = type_31(vec4<f32>(select(_e698, _e651.member.x, (_e651.member.x < _e698)), select(_e700, _e651.member.y, (_e651.member.y < _e700)), select(_e702, _e651.member.z, (_e651.member.z < _e702)), select(_e704, _e651.member.w, (_e651.member.w < _e704))), vec4<f32>(select(_e714, _e651.member_1.x, (_e651.member_1.x > _e714)), select(_e716, _e651.member_1.y, (_e651.member_1.y > _e716)), select(_e718, _e651.member_1.z, (_e651.member_1.z > _e718)), select(_e720, _e651.member_1.w, (_e651.member_1.w > _e720))));
+                                        phi_1391_ = type_31(vec4<f32>(select(_e698, _e651.member.x, (_e651.member.x < _e698)), select(_e700, _e651.member.y, (_e651.member.y < _e700)), select(_e702, _e651.member.z, (_e651.member.z < _e702)), select(_e704, _e651.member.w, (_e651.member.w < _e704))), vec4<f32>(select(_e714, _e651.member_1.x, (_e651.member_1.x > _e714)), select(_e716, _e651.member_1.y, (_e651.member_1.y > _e716)), select(_e718, _e651.member_1.z, (_e651.member_1.z > _e718)), select(_e720, _e651.member_1.w, (_e651.member_1.w > _e720))));
                                     } else {
-                                        phi_1390_ = type_31();
+                                        phi_1391_ = type_31();
                                     }
-                                    let _e751 = phi_1390_;
+                                    let _e751 = phi_1391_;
                                     continue;
                                     continuing {
-                                        phi_1386_ = _e664;
-                                        phi_1389_ = _e751;
-                                        phi_2589_ = _e627;
+                                        phi_1387_ = _e664;
+                                        phi_1390_ = _e751;
+                                        phi_2557_ = _e627;
                                         break if !(_e670);
                                     }
                                 }
-                                let _e754 = phi_2589_;
+                                let _e754 = phi_2557_;
                                 if _e754 {
                                     break;
                                 }
-                                phi_1590_ = type_29((_e644 * 4u), _e83, false);
-                                let _e1500 = local_4;
-                                phi_1593_ = _e1500;
+                                phi_1591_ = type_29((_e644 * 4u), _e83, false);
+                                let _e1512 = local_4;
+                                phi_1594_ = _e1512;
                                 loop {
-                                    let _e758 = phi_1590_;
-                                    let _e760 = phi_1593_;
+                                    let _e758 = phi_1591_;
+                                    let _e760 = phi_1594_;
                                     local_5 = _e760;
                                     if _e758.member_2 {
-                                        phi_1605_ = true;
+                                        phi_1606_ = true;
                                     } else {
-                                        phi_1605_ = !((_e758.member <= _e758.member_1));
+                                        phi_1606_ = !((_e758.member <= _e758.member_1));
                                     }
-                                    let _e767 = phi_1605_;
+                                    let _e767 = phi_1606_;
                                     if _e767 {
-                                        phi_1591_ = _e758;
-                                        phi_1633_ = type_7(0u, type_7().member_1);
+                                        phi_1592_ = _e758;
+                                        phi_1634_ = type_7(0u, type_7().member_1);
                                     } else {
                                         if (_e758.member < _e758.member_1) {
-                                            phi_1630_ = type_29((_e758.member + 1u), _e758.member_1, _e758.member_2);
+                                            phi_1631_ = type_29((_e758.member + 1u), _e758.member_1, _e758.member_2);
                                         } else {
-                                            phi_1630_ = type_29(_e758.member, _e758.member_1, true);
+                                            phi_1631_ = type_29(_e758.member, _e758.member_1, true);
                                         }
-                                        let _e781 = phi_1630_;
-                                        phi_1591_ = _e781;
-                                        phi_1633_ = type_7(1u, _e758.member);
+                                        let _e781 = phi_1631_;
+                                        phi_1592_ = _e781;
+                                        phi_1634_ = type_7(1u, _e758.member);
                                     }
-                                    let _e787 = phi_1591_;
-                                    let _e789 = phi_1633_;
+                                    let _e787 = phi_1592_;
+                                    let _e789 = phi_1634_;
                                     let _e793 = (bitcast<i32>(_e789.member) != 0i);
                                     if _e793 {
                                         let _e794 = (_e789.member_1 < _e49);
                                         if _e794 {
                                             if _e794 {
                                             } else {
-                                                phi_2620_ = true;
+                                                phi_2588_ = true;
                                                 break;
                                             }
                                             let _e797 = global_4.member[_e789.member_1];
-                                            phi_1652_ = _e797;
+                                            phi_1653_ = _e797;
                                         } else {
-                                            phi_1652_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
+                                            phi_1653_ = type_15(array<f32, 9>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f), 0u);
                                         }
-                                        let _e799 = phi_1652_;
+                                        let _e799 = phi_1653_;
                                         let _e811 = bitcast<f32>(_e799.member_1);
                                         let _e813 = select(_e799.member[3], _e799.member[0], (_e799.member[0] < _e799.member[3]));
                                         let _e815 = select(_e799.member[4], _e799.member[1], (_e799.member[1] < _e799.member[4]));
@@ -819,62 +819,62 @@ fn function_() {
                                         let _e839 = select(_e799.member[7], _e831, (_e831 > _e799.member[7]));
                                         let _e841 = select(_e799.member[8], _e833, (_e833 > _e799.member[8]));
                                         let _e843 = select(_e811, _e835, (_e835 > _e811));
-                                        phi_1594_ = type_31(vec4<f32>(select(_e821, _e760.member.x, (_e760.member.x < _e821)), select(_e823, _e760.member.y, (_e760.member.y < _e823)), select(_e825, _e760.member.z, (_e760.member.z < _e825)), select(_e827, _e760.member.w, (_e760.member.w < _e827))), vec4<f32>(select(_e837, _e760.member_1.x, (_e760.member_1.x > _e837)), select(_e839, _e760.member_1.y, (_e760.member_1.y > _e839)), select(_e841, _e760.member_1.z, (_e760.member_1.z > _e841)), select(_e843, _e760.member_1.w, (_e760.member_1.w > _e843))));
+                                        phi_1595_ = type_31(vec4<f32>(select(_e821, _e760.member.x, (_e760.member.x < _e821)), select(_e823, _e760.member.y, (_e760.member.y < _e823)), select(_e825, _e760.member.z, (_e760.member.z < _e825)), select(_e827, _e760.member.w, (_e760.member.w < _e827))), vec4<f32>(select(_e837, _e760.member_1.x, (_e760.member_1.x > _e837)), select(_e839, _e760.member_1.y, (_e760.member_1.y > _e839)), select(_e841, _e760.member_1.z, (_e760.member_1.z > _e841)), select(_e843, _e760.member_1.w, (_e760.member_1.w > _e843))));
                                     } else {
-                                        phi_1594_ = type_31();
+                                        phi_1595_ = type_31();
                                     }
-                                    let _e874 = phi_1594_;
+                                    let _e874 = phi_1595_;
                                     continue;
                                     continuing {
-                                        phi_1590_ = _e787;
-                                        phi_1593_ = _e874;
-                                        phi_2620_ = _e754;
+                                        phi_1591_ = _e787;
+                                        phi_1594_ = _e874;
+                                        phi_2588_ = _e754;
                                         break if !(_e793);
                                     }
                                 }
-                                let _e877 = phi_2620_;
+                                let _e877 = phi_2588_;
                                 if _e877 {
                                     break;
                                 }
                                 let _e878 = (_e49 / 4u);
                                 if ((_e49 % 4u) > 0u) {
-                                    phi_1823_ = (_e878 + 1u);
+                                    phi_1824_ = (_e878 + 1u);
                                 } else {
-                                    phi_1823_ = _e878;
+                                    phi_1824_ = _e878;
                                 }
-                                let _e883 = phi_1823_;
-                                phi_1826_ = type_7(0u, 32u);
-                                phi_1829_ = _e883;
-                                phi_1831_ = 0u;
-                                phi_1833_ = _e644;
-                                phi_1835_ = _e642;
-                                let _e1516 = local_5;
-                                phi_1837_ = _e1516;
+                                let _e883 = phi_1824_;
+                                phi_1827_ = type_7(0u, 32u);
+                                phi_1830_ = _e883;
+                                phi_1832_ = 0u;
+                                phi_1834_ = _e644;
+                                phi_1836_ = _e642;
+                                let _e1528 = local_5;
+                                phi_1838_ = _e1528;
                                 loop {
-                                    let _e885 = phi_1826_;
-                                    let _e887 = phi_1829_;
-                                    let _e889 = phi_1831_;
-                                    let _e891 = phi_1833_;
-                                    let _e893 = phi_1835_;
-                                    let _e895 = phi_1837_;
+                                    let _e885 = phi_1827_;
+                                    let _e887 = phi_1830_;
+                                    let _e889 = phi_1832_;
+                                    let _e891 = phi_1834_;
+                                    let _e893 = phi_1836_;
+                                    let _e895 = phi_1838_;
                                     local_7 = _e895;
                                     if (_e885.member < _e885.member_1) {
-                                        phi_1827_ = type_7((_e885.member + 1u), _e885.member_1);
-                                        phi_1860_ = type_7(1u, _e885.member);
+                                        phi_1828_ = type_7((_e885.member + 1u), _e885.member_1);
+                                        phi_1861_ = type_7(1u, _e885.member);
                                     } else {
-                                        phi_1827_ = _e885;
-                                        phi_1860_ = type_7(0u, type_7().member_1);
+                                        phi_1828_ = _e885;
+                                        phi_1861_ = type_7(0u, type_7().member_1);
                                     }
-                                    let _e908 = phi_1827_;
-                                    let _e910 = phi_1860_;
+                                    let _e908 = phi_1828_;
+                                    let _e910 = phi_1861_;
                                     if (bitcast<i32>(_e910.member) != 0i) {
                                         let _e914 = (_e893 >= _e891);
                                         if _e914 {
-                                            phi_2070_ = u32();
                                             phi_2071_ = u32();
                                             phi_2072_ = u32();
                                             phi_2073_ = u32();
-                                            phi_2074_ = type_31();
+                                            phi_2074_ = u32();
+                                            phi_2075_ = type_31();
                                         } else {
                                             if ((_e893 & 1u) == 1u) {
                                                 let _e917 = (_e889 + _e893);
@@ -882,23 +882,23 @@ fn function_() {
                                                 if _e918 {
                                                     if _e918 {
                                                     } else {
-                                                        phi_2651_ = true;
+                                                        phi_2619_ = true;
                                                         break;
                                                     }
                                                     let _e921 = global_5.member[_e917];
-                                                    phi_1888_ = _e921;
+                                                    phi_1889_ = _e921;
                                                 } else {
-                                                    phi_1888_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                                                    phi_1889_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                                                 }
-                                                let _e923 = phi_1888_;
-                                                phi_1959_ = (_e893 + 1u);
-                                                phi_1960_ = type_31(vec4<f32>(select(_e923[0], _e895.member.x, (_e895.member.x < _e923[0])), select(_e923[1], _e895.member.y, (_e895.member.y < _e923[1])), select(_e923[2], _e895.member.z, (_e895.member.z < _e923[2])), select(_e923[3], _e895.member.w, (_e895.member.w < _e923[3]))), vec4<f32>(select(_e923[4], _e895.member_1.x, (_e895.member_1.x > _e923[4])), select(_e923[5], _e895.member_1.y, (_e895.member_1.y > _e923[5])), select(_e923[6], _e895.member_1.z, (_e895.member_1.z > _e923[6])), select(_e923[7], _e895.member_1.w, (_e895.member_1.w > _e923[7]))));
+                                                let _e923 = phi_1889_;
+                                                phi_1960_ = (_e893 + 1u);
+                                                phi_1961_ = type_31(vec4<f32>(select(_e923[0], _e895.member.x, (_e895.member.x < _e923[0])), select(_e923[1], _e895.member.y, (_e895.member.y < _e923[1])), select(_e923[2], _e895.member.z, (_e895.member.z < _e923[2])), select(_e923[3], _e895.member.w, (_e895.member.w < _e923[3]))), vec4<f32>(select(_e923[4], _e895.member_1.x, (_e895.member_1.x > _e923[4])), select(_e923[5], _e895.member_1.y, (_e895.member_1.y > _e923[5])), select(_e923[6], _e895.member_1.z, (_e895.member_1.z > _e923[6])), select(_e923[7], _e895.member_1.w, (_e895.member_1.w > _e923[7]))));
                                             } else {
-                                                phi_1959_ = _e893;
-                                                phi_1960_ = _e895;
+                                                phi_1960_ = _e893;
+                                                phi_1961_ = _e895;
                                             }
-                                            let _e963 = phi_1959_;
-                                            let _e965 = phi_1960_;
+                                            let _e963 = phi_1960_;
+                                            let _e965 = phi_1961_;
                                             if ((_e891 & 1u) == 1u) {
                                                 let _e968 = (_e891 - 1u);
                                                 let _e969 = (_e889 + _e968);
@@ -906,143 +906,143 @@ fn function_() {
                                                 if _e970 {
                                                     if _e970 {
                                                     } else {
-                                                        phi_2651_ = true;
+                                                        phi_2619_ = true;
                                                         break;
                                                     }
                                                     let _e973 = global_5.member[_e969];
-                                                    phi_1979_ = _e973;
+                                                    phi_1980_ = _e973;
                                                 } else {
-                                                    phi_1979_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                                                    phi_1980_ = array<f32, 8>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                                                 }
-                                                let _e975 = phi_1979_;
-                                                phi_2049_ = _e968;
-                                                phi_2050_ = type_31(vec4<f32>(select(_e975[0], _e965.member.x, (_e965.member.x < _e975[0])), select(_e975[1], _e965.member.y, (_e965.member.y < _e975[1])), select(_e975[2], _e965.member.z, (_e965.member.z < _e975[2])), select(_e975[3], _e965.member.w, (_e965.member.w < _e975[3]))), vec4<f32>(select(_e975[4], _e965.member_1.x, (_e965.member_1.x > _e975[4])), select(_e975[5], _e965.member_1.y, (_e965.member_1.y > _e975[5])), select(_e975[6], _e965.member_1.z, (_e965.member_1.z > _e975[6])), select(_e975[7], _e965.member_1.w, (_e965.member_1.w > _e975[7]))));
+                                                let _e975 = phi_1980_;
+                                                phi_2050_ = _e968;
+                                                phi_2051_ = type_31(vec4<f32>(select(_e975[0], _e965.member.x, (_e965.member.x < _e975[0])), select(_e975[1], _e965.member.y, (_e965.member.y < _e975[1])), select(_e975[2], _e965.member.z, (_e965.member.z < _e975[2])), select(_e975[3], _e965.member.w, (_e965.member.w < _e975[3]))), vec4<f32>(select(_e975[4], _e965.member_1.x, (_e965.member_1.x > _e975[4])), select(_e975[5], _e965.member_1.y, (_e965.member_1.y > _e975[5])), select(_e975[6], _e965.member_1.z, (_e965.member_1.z > _e975[6])), select(_e975[7], _e965.member_1.w, (_e965.member_1.w > _e975[7]))));
                                             } else {
-                                                phi_2049_ = _e891;
-                                                phi_2050_ = _e965;
+                                                phi_2050_ = _e891;
+                                                phi_2051_ = _e965;
                                             }
-                                            let _e1014 = phi_2049_;
-                                            let _e1016 = phi_2050_;
+                                            let _e1014 = phi_2050_;
+                                            let _e1016 = phi_2051_;
                                             let _e1020 = (_e887 / 2u);
                                             if ((_e887 % 2u) > 0u) {
-                                                phi_2069_ = (_e1020 + 1u);
+                                                phi_2070_ = (_e1020 + 1u);
                                             } else {
-                                                phi_2069_ = _e1020;
+                                                phi_2070_ = _e1020;
                                             }
-                                            let _e1025 = phi_2069_;
-                                            phi_2070_ = _e1025;
-                                            phi_2071_ = (_e889 + _e887);
-                                            phi_2072_ = (_e1014 / 2u);
-                                            phi_2073_ = (_e963 / 2u);
-                                            phi_2074_ = _e1016;
+                                            let _e1025 = phi_2070_;
+                                            phi_2071_ = _e1025;
+                                            phi_2072_ = (_e889 + _e887);
+                                            phi_2073_ = (_e1014 / 2u);
+                                            phi_2074_ = (_e963 / 2u);
+                                            phi_2075_ = _e1016;
                                         }
-                                        let _e1027 = phi_2070_;
-                                        let _e1029 = phi_2071_;
-                                        let _e1031 = phi_2072_;
-                                        let _e1033 = phi_2073_;
-                                        let _e1035 = phi_2074_;
-                                        phi_1830_ = _e1027;
-                                        phi_1832_ = _e1029;
-                                        phi_1834_ = _e1031;
-                                        phi_1836_ = _e1033;
-                                        phi_1838_ = _e1035;
-                                        phi_2076_ = select(true, false, _e914);
+                                        let _e1027 = phi_2071_;
+                                        let _e1029 = phi_2072_;
+                                        let _e1031 = phi_2073_;
+                                        let _e1033 = phi_2074_;
+                                        let _e1035 = phi_2075_;
+                                        phi_1831_ = _e1027;
+                                        phi_1833_ = _e1029;
+                                        phi_1835_ = _e1031;
+                                        phi_1837_ = _e1033;
+                                        phi_1839_ = _e1035;
+                                        phi_2077_ = select(true, false, _e914);
                                     } else {
-                                        phi_1830_ = u32();
-                                        phi_1832_ = u32();
-                                        phi_1834_ = u32();
-                                        phi_1836_ = u32();
-                                        phi_1838_ = type_31();
-                                        phi_2076_ = false;
+                                        phi_1831_ = u32();
+                                        phi_1833_ = u32();
+                                        phi_1835_ = u32();
+                                        phi_1837_ = u32();
+                                        phi_1839_ = type_31();
+                                        phi_2077_ = false;
                                     }
-                                    let _e1038 = phi_1830_;
-                                    let _e1040 = phi_1832_;
-                                    let _e1042 = phi_1834_;
-                                    let _e1044 = phi_1836_;
-                                    let _e1046 = phi_1838_;
-                                    let _e1048 = phi_2076_;
+                                    let _e1038 = phi_1831_;
+                                    let _e1040 = phi_1833_;
+                                    let _e1042 = phi_1835_;
+                                    let _e1044 = phi_1837_;
+                                    let _e1046 = phi_1839_;
+                                    let _e1048 = phi_2077_;
                                     continue;
                                     continuing {
-                                        phi_1826_ = _e908;
-                                        phi_1829_ = _e1038;
-                                        phi_1831_ = _e1040;
-                                        phi_1833_ = _e1042;
-                                        phi_1835_ = _e1044;
-                                        phi_1837_ = _e1046;
-                                        phi_2651_ = _e877;
+                                        phi_1827_ = _e908;
+                                        phi_1830_ = _e1038;
+                                        phi_1832_ = _e1040;
+                                        phi_1834_ = _e1042;
+                                        phi_1836_ = _e1044;
+                                        phi_1838_ = _e1046;
+                                        phi_2619_ = _e877;
                                         break if !(_e1048);
                                     }
                                 }
-                                let _e1051 = phi_2651_;
+                                let _e1051 = phi_2619_;
                                 if _e1051 {
                                     break;
                                 }
-                                let _e1551 = local_7;
-                                phi_2077_ = _e1551;
+                                let _e1563 = local_7;
+                                phi_2078_ = _e1563;
                             }
-                            let _e1175 = phi_2077_;
-                            phi_2095_ = type_28(array<array<f32, 4>, 3>(array<f32, 4>(_e629.member.x, _e1175.member.x, _e629.member_1.x, _e1175.member_1.x), array<f32, 4>(_e629.member.y, _e1175.member.y, _e629.member_1.y, _e1175.member_1.y), array<f32, 4>(_e629.member.z, _e1175.member.z, _e629.member_1.z, _e1175.member_1.z)), _e71, _e75, _e79, _e83);
+                            let _e1175 = phi_2078_;
+                            phi_2096_ = type_28(array<array<f32, 4>, 3>(array<f32, 4>(_e629.member.x, _e1175.member.x, _e629.member_1.x, _e1175.member_1.x), array<f32, 4>(_e629.member.y, _e1175.member.y, _e629.member_1.y, _e1175.member_1.y), array<f32, 4>(_e629.member.z, _e1175.member.z, _e629.member_1.z, _e1175.member_1.z)), _e71, _e75, _e79, _e83);
                         }
-                        let _e1190 = phi_2095_;
+                        let _e1190 = phi_2096_;
                         let _e1193 = global_3.member[1u];
                         if (_e1193 == 0u) {
                             let _e1211 = global_3.member[0u];
-                            phi_2122_ = bitcast<i32>(_e1211);
+                            phi_2123_ = bitcast<i32>(_e1211);
                         } else {
                             let _e1197 = global_3.member[0u];
                             let _e1201 = global_2.member[0u];
                             let _e1203 = (bitcast<i32>(_e1197) + bitcast<i32>(_e1201));
                             if (_e1203 < -126i) {
-                                phi_2121_ = -126i;
+                                phi_2122_ = -126i;
                             } else {
-                                phi_2121_ = select(_e1203, 127i, (_e1203 > 127i));
+                                phi_2122_ = select(_e1203, 127i, (_e1203 > 127i));
                             }
-                            let _e1208 = phi_2121_;
-                            phi_2122_ = _e1208;
+                            let _e1208 = phi_2122_;
+                            phi_2123_ = _e1208;
                         }
-                        let _e1214 = phi_2122_;
+                        let _e1214 = phi_2123_;
                         if (_e1190.member_1 == 2147483648u) {
-                            phi_2140_ = type_40(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
+                            phi_2141_ = type_40(vec3<f32>(0f, 0f, 0f), vec3<f32>(0f, 0f, 0f));
                         } else {
-                            phi_2140_ = type_40(vec3<f32>(_e1190.member[0][0], _e1190.member[1][0], _e1190.member[2][0]), vec3<f32>(_e1190.member[0][2], _e1190.member[1][2], _e1190.member[2][2]));
+                            phi_2141_ = type_40(vec3<f32>(_e1190.member[0][0], _e1190.member[1][0], _e1190.member[2][0]), vec3<f32>(_e1190.member[0][2], _e1190.member[1][2], _e1190.member[2][2]));
                         }
-                        let _e1233 = phi_2140_;
+                        let _e1233 = phi_2141_;
                         if (_e1190.member_2 == 2147483648u) {
-                            phi_2158_ = _e1233;
+                            phi_2159_ = _e1233;
                         } else {
-                            phi_2158_ = type_40(vec3<f32>(_e1190.member[0][1], _e1190.member[1][1], _e1190.member[2][1]), vec3<f32>(_e1190.member[0][3], _e1190.member[1][3], _e1190.member[2][3]));
+                            phi_2159_ = type_40(vec3<f32>(_e1190.member[0][1], _e1190.member[1][1], _e1190.member[2][1]), vec3<f32>(_e1190.member[0][3], _e1190.member[1][3], _e1190.member[2][3]));
                         }
-                        let _e1252 = phi_2158_;
-                        let _e1273 = bitcast<f32>((bitcast<u32>((127i - _e1214)) << bitcast<u32>(23i)));
-                        let _e1274 = (_e1233.member.x * _e1273);
-                        let _e1281 = select(0i, select(select(i32(_e1274), i32(-2147483648), (_e1274 < -2147483600f)), 2147483647i, (_e1274 > 2147483500f)), (_e1274 == _e1274));
-                        let _e1286 = (_e1252.member.x * _e1273);
-                        let _e1293 = select(0i, select(select(i32(_e1286), i32(-2147483648), (_e1286 < -2147483600f)), 2147483647i, (_e1286 > 2147483500f)), (_e1286 == _e1286));
-                        let _e1298 = (_e1233.member_1.x * _e1273);
-                        let _e1305 = select(0i, select(select(i32(_e1298), i32(-2147483648), (_e1298 < -2147483600f)), 2147483647i, (_e1298 > 2147483500f)), (_e1298 == _e1298));
-                        let _e1310 = (_e1252.member_1.x * _e1273);
-                        let _e1317 = select(0i, select(select(i32(_e1310), i32(-2147483648), (_e1310 < -2147483600f)), 2147483647i, (_e1310 > 2147483500f)), (_e1310 == _e1310));
-                        let _e1323 = (_e1233.member.y * _e1273);
-                        let _e1330 = select(0i, select(select(i32(_e1323), i32(-2147483648), (_e1323 < -2147483600f)), 2147483647i, (_e1323 > 2147483500f)), (_e1323 == _e1323));
-                        let _e1335 = (_e1252.member.y * _e1273);
-                        let _e1342 = select(0i, select(select(i32(_e1335), i32(-2147483648), (_e1335 < -2147483600f)), 2147483647i, (_e1335 > 2147483500f)), (_e1335 == _e1335));
-                        let _e1347 = (_e1233.member_1.y * _e1273);
-                        let _e1354 = select(0i, select(select(i32(_e1347), i32(-2147483648), (_e1347 < -2147483600f)), 2147483647i, (_e1347 > 2147483500f)), (_e1347 == _e1347));
-                        let _e1359 = (_e1252.member_1.y * _e1273);
-                        let _e1366 = select(0i, select(select(i32(_e1359), i32(-2147483648), (_e1359 < -2147483600f)), 2147483647i, (_e1359 > 2147483500f)), (_e1359 == _e1359));
-                        let _e1372 = (_e1233.member.z * _e1273);
-                        let _e1379 = select(0i, select(select(i32(_e1372), i32(-2147483648), (_e1372 < -2147483600f)), 2147483647i, (_e1372 > 2147483500f)), (_e1372 == _e1372));
-                        let _e1384 = (_e1252.member.z * _e1273);
-                        let _e1391 = select(0i, select(select(i32(_e1384), i32(-2147483648), (_e1384 < -2147483600f)), 2147483647i, (_e1384 > 2147483500f)), (_e1384 == _e1384));
-                        let _e1396 = (_e1233.member_1.z * _e1273);
-                        let _e1403 = select(0i, select(select(i32(_e1396), i32(-2147483648), (_e1396 < -2147483600f)), 2147483647i, (_e1396 > 2147483500f)), (_e1396 == _e1396));
-                        let _e1408 = (_e1252.member_1.z * _e1273);
-                        let _e1415 = select(0i, select(select(i32(_e1408), i32(-2147483648), (_e1408 < -2147483600f)), 2147483647i, (_e1408 > 2147483500f)), (_e1408 == _e1408));
+                        let _e1252 = phi_2159_;
+                        let _e1275 = bitcast<f32>((bitcast<u32>((127i - _e1214)) << bitcast<u32>(23i)));
+                        let _e1276 = (_e1233.member.x * _e1275);
+                        let _e1277 = (_e1252.member.x * _e1275);
+                        let _e1278 = (-(_e1233.member_1.x) * _e1275);
+                        let _e1279 = (-(_e1252.member_1.x) * _e1275);
+                        let _e1286 = select(0i, select(select(i32(_e1276), i32(-2147483648), (_e1276 < -2147483600f)), 2147483647i, (_e1276 > 2147483500f)), (_e1276 == _e1276));
+                        let _e1293 = select(0i, select(select(i32(_e1277), i32(-2147483648), (_e1277 < -2147483600f)), 2147483647i, (_e1277 > 2147483500f)), (_e1277 == _e1277));
+                        let _e1300 = select(0i, select(select(i32(_e1278), i32(-2147483648), (_e1278 < -2147483600f)), 2147483647i, (_e1278 > 2147483500f)), (_e1278 == _e1278));
+                        let _e1307 = select(0i, select(select(i32(_e1279), i32(-2147483648), (_e1279 < -2147483600f)), 2147483647i, (_e1279 > 2147483500f)), (_e1279 == _e1279));
+                        let _e1329 = (_e1233.member.y * _e1275);
+                        let _e1330 = (_e1252.member.y * _e1275);
+                        let _e1331 = (-(_e1233.member_1.y) * _e1275);
+                        let _e1332 = (-(_e1252.member_1.y) * _e1275);
+                        let _e1339 = select(0i, select(select(i32(_e1329), i32(-2147483648), (_e1329 < -2147483600f)), 2147483647i, (_e1329 > 2147483500f)), (_e1329 == _e1329));
+                        let _e1346 = select(0i, select(select(i32(_e1330), i32(-2147483648), (_e1330 < -2147483600f)), 2147483647i, (_e1330 > 2147483500f)), (_e1330 == _e1330));
+                        let _e1353 = select(0i, select(select(i32(_e1331), i32(-2147483648), (_e1331 < -2147483600f)), 2147483647i, (_e1331 > 2147483500f)), (_e1331 == _e1331));
+                        let _e1360 = select(0i, select(select(i32(_e1332), i32(-2147483648), (_e1332 < -2147483600f)), 2147483647i, (_e1332 > 2147483500f)), (_e1332 == _e1332));
+                        let _e1382 = (_e1233.member.z * _e1275);
+                        let _e1383 = (_e1252.member.z * _e1275);
+                        let _e1384 = (-(_e1233.member_1.z) * _e1275);
+                        let _e1385 = (-(_e1252.member_1.z) * _e1275);
+                        let _e1392 = select(0i, select(select(i32(_e1382), i32(-2147483648), (_e1382 < -2147483600f)), 2147483647i, (_e1382 > 2147483500f)), (_e1382 == _e1382));
+                        let _e1399 = select(0i, select(select(i32(_e1383), i32(-2147483648), (_e1383 < -2147483600f)), 2147483647i, (_e1383 > 2147483500f)), (_e1383 == _e1383));
+                        let _e1406 = select(0i, select(select(i32(_e1384), i32(-2147483648), (_e1384 < -2147483600f)), 2147483647i, (_e1384 > 2147483500f)), (_e1384 == _e1384));
+                        let _e1413 = select(0i, select(select(i32(_e1385), i32(-2147483648), (_e1385 < -2147483600f)), 2147483647i, (_e1385 > 2147483500f)), (_e1385 == _e1385));
                         if _e64 {
                         } else {
                             break;
                         }
-                        global_7.member[_e59] = type_35(array<array<i32, 4>, 3>(array<i32, 4>((_e1281 - select(0i, 1i, (f32(_e1281) > _e1274))), (_e1293 - select(0i, 1i, (f32(_e1293) > _e1286))), (_e1305 + select(0i, 1i, (f32(_e1305) < _e1298))), (_e1317 + select(0i, 1i, (f32(_e1317) < _e1310)))), array<i32, 4>((_e1330 - select(0i, 1i, (f32(_e1330) > _e1323))), (_e1342 - select(0i, 1i, (f32(_e1342) > _e1335))), (_e1354 + select(0i, 1i, (f32(_e1354) < _e1347))), (_e1366 + select(0i, 1i, (f32(_e1366) < _e1359)))), array<i32, 4>((_e1379 - select(0i, 1i, (f32(_e1379) > _e1372))), (_e1391 - select(0i, 1i, (f32(_e1391) > _e1384))), (_e1403 + select(0i, 1i, (f32(_e1403) < _e1396))), (_e1415 + select(0i, 1i, (f32(_e1415) < _e1408))))), _e1190.member_1, _e1190.member_2, _e1190.member_3, _e1190.member_4);
+                        global_7.member[_e59] = type_35(array<array<i32, 4>, 3>(array<i32, 4>((_e1286 - select(0i, 1i, (f32(_e1286) > _e1276))), (_e1293 - select(0i, 1i, (f32(_e1293) > _e1277))), -((_e1300 - select(0i, 1i, (f32(_e1300) > _e1278)))), -((_e1307 - select(0i, 1i, (f32(_e1307) > _e1279))))), array<i32, 4>((_e1339 - select(0i, 1i, (f32(_e1339) > _e1329))), (_e1346 - select(0i, 1i, (f32(_e1346) > _e1330))), -((_e1353 - select(0i, 1i, (f32(_e1353) > _e1331)))), -((_e1360 - select(0i, 1i, (f32(_e1360) > _e1332))))), array<i32, 4>((_e1392 - select(0i, 1i, (f32(_e1392) > _e1382))), (_e1399 - select(0i, 1i, (f32(_e1399) > _e1383))), -((_e1406 - select(0i, 1i, (f32(_e1406) > _e1384)))), -((_e1413 - select(0i, 1i, (f32(_e1413) > _e1385)))))), _e1190.member_1, _e1190.member_2, _e1190.member_3, _e1190.member_4);
                     }
                 }
             }

@@ -1,8 +1,9 @@
 //! A plain node on a lattice: what the lattice codec reads.
 
-use crate::lattice::{LatticeBox, lattice_ceil, lattice_floor};
+use crate::lattice::{LatticeBox, lattice_floors};
 use crate::node::{Node, NodeRef};
 use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
 
 /// A node whose children's boxes are the smallest on a lattice that hold the plain ones. 64 bytes, laid out as [`Node`], but
 /// planes are whole numbers of steps.
@@ -43,13 +44,16 @@ impl RoundedNode {
             [boxes.left.min, boxes.right.min],
             [boxes.left.max, boxes.right.max],
         );
-        let floor = |x: f32| lattice_floor(x, step_exponent);
-        let ceil = |x: f32| lattice_ceil(x, step_exponent);
+        // What is above a number is not below its negative: four of one kind at once.
+        let row = |a: f32, b: f32, c: f32, d: f32| {
+            let [a, b, c, d] = lattice_floors(Vec4::new(a, b, -c, -d), step_exponent);
+            [a, b, -c, -d]
+        };
         Self {
             planes: [
-                [floor(a.x), floor(b.x), ceil(c.x), ceil(d.x)],
-                [floor(a.y), floor(b.y), ceil(c.y), ceil(d.y)],
-                [floor(a.z), floor(b.z), ceil(c.z), ceil(d.z)],
+                row(a.x, b.x, c.x, d.x),
+                row(a.y, b.y, c.y, d.y),
+                row(a.z, b.z, c.z, d.z),
             ],
             left: node.left,
             right: node.right,

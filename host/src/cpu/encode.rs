@@ -21,12 +21,22 @@ use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
 /// Codes hierarchies, and keeps what was plain of them for the next.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Encoder {
     triangles: Vec<LeafTriangle>,
     sizes: Vec<u32>,
-    /// Whether the last hierarchy had leaves of more than the narrowest triangles.
-    has_wide: bool,
+    /// How wide all triangles of the last hierarchy were, where they were alike.
+    width: Option<LeafWidth>,
+}
+
+impl Default for Encoder {
+    fn default() -> Self {
+        Self {
+            triangles: Vec::new(),
+            sizes: Vec::new(),
+            width: Some(LeafWidth::Narrow),
+        }
+    }
 }
 
 impl Encoder {
@@ -83,7 +93,7 @@ impl Encoder {
                 let step_exponent = scaled_step(step_exponent, bvh.scene_exponent);
                 let to = (&mut coded.nodes, &mut words);
                 let shape = (bits, step_exponent);
-                let scratch = (&mut self.sizes, &mut self.has_wide);
+                let scratch = (&mut self.sizes, &mut self.width);
                 encode_lattice_mesh(&tree, shape, scratch, to);
                 coded.triangles = CodedTriangles::Lattice(words);
             }
@@ -343,7 +353,7 @@ fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
 fn encode_lattice_mesh(
     tree: &Tree,
     (bits, step_exponent): (LatticeBits, i32),
-    (sizes, has_wide): (&mut Vec<u32>, &mut bool),
+    (sizes, width): (&mut Vec<u32>, &mut Option<LeafWidth>),
     (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
 ) {
     let (root, words) = lattice_words(tree, bits, step_exponent, nodes);
@@ -352,12 +362,15 @@ fn encode_lattice_mesh(
         root,
         step_exponent,
     };
-    // Most often all triangles are narrow, and it is known where each is: one way down does it. Else it takes another.
-    if !*has_wide {
-        by_bits!(bits, fill_narrow(&tree, words, triangles, has_wide));
-    }
-    if *has_wide {
-        by_bits!(bits, fill_mixed(&tree, words, triangles, sizes, has_wide));
+    // Most often all triangles are as wide, as wide as they were the last time, and it is known where each is: one way down
+    // does it. Else it takes another.
+    let is_done = match *width {
+        Some(LeafWidth::Narrow) => by_bits!(bits, fill_narrow(&tree, words, triangles)),
+        Some(LeafWidth::Middle) => by_bits!(bits, fill_middle(&tree, words, triangles)),
+        Some(LeafWidth::Wide) | None => false,
+    };
+    if !is_done {
+        *width = by_bits!(bits, fill_mixed(&tree, words, triangles, sizes));
     }
 }
 
@@ -365,58 +378,85 @@ const NARROW: usize = LeafWidth::Narrow.words() as usize;
 const MIDDLE: usize = LeafWidth::Middle.words() as usize;
 const WIDE: usize = LeafWidth::Wide.words() as usize;
 
-/// Where all triangles are narrow; else says so, and leaves the lists in disorder.
+/// [`fill_alike`] where all triangles are narrow.
 fn fill_narrow<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
     triangles: &mut Vec<u32>,
-    has_wide: &mut bool,
-) {
-    triangles.resize(NARROW * lattice.tree.leaves.len(), 0);
-    let is_wide = AtomicBool::new(false);
+) -> bool {
     let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
-        if LeafWidth::of(bounds) == LeafWidth::Narrow {
-            lattice.put_narrow(leaf, bounds, words);
-        } else {
-            is_wide.store(true, Relaxed);
-        }
+        lattice.put_narrow(leaf, bounds, words);
     };
-    let link = linked_to::<BITS, WORDS>(|triangle| NARROW as u32 * triangle);
-    let part = lattice.part(words, triangles, NARROW);
-    encode_nodes::<BITS, WORDS, u32>(lattice, part, &link, &put);
-    *has_wide = is_wide.into_inner();
+    fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Narrow, &put))
 }
 
-/// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it.
+/// [`fill_alike`] where all triangles are of middle width.
+fn fill_middle<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+) -> bool {
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        lattice.put::<MIDDLE>(leaf, bounds, words);
+    };
+    fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Middle, &put))
+}
+
+/// Where all triangles are of one width. Returns whether they are, and leaves the lists in disorder if not.
+fn fill_alike<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+    (width, put): (
+        LeafWidth,
+        &(impl Fn(NodeRef, &LatticeBox, &mut [u32]) + Sync),
+    ),
+) -> bool {
+    let size = width.words() as usize;
+    triangles.resize(size * lattice.tree.leaves.len(), 0);
+    let is_other = AtomicBool::new(false);
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        if LeafWidth::of(bounds) == width {
+            put(leaf, bounds, words);
+        } else if leaf.count() > 0 {
+            is_other.store(true, Relaxed);
+        }
+    };
+    let link = linked_to::<BITS, WORDS>(|triangle| size as u32 * triangle);
+    let part = lattice.part(words, triangles, size);
+    encode_nodes::<BITS, WORDS, u32>(lattice, part, &link, &put);
+    !is_other.into_inner()
+}
+
+/// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it. Returns their
+/// width if they are of one.
 fn fill_mixed<const BITS: u32, const WORDS: usize>(
     lattice: &OnLattice,
     words: &mut [u32],
     triangles: &mut Vec<u32>,
     sizes: &mut Vec<u32>,
-    has_wide: &mut bool,
-) {
+) -> Option<LeafWidth> {
+    let count = lattice.tree.leaves.len();
     sizes.clear();
-    sizes.resize(lattice.tree.leaves.len(), 0);
-    let is_wide = AtomicBool::new(false);
+    sizes.resize(count, 0);
     let size = |_: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]| {
-        let width = LeafWidth::of(bounds);
-        sizes.fill(width.words());
-        if width != LeafWidth::Narrow {
-            is_wide.store(true, Relaxed);
-        }
+        sizes.fill(LeafWidth::of(bounds).words());
     };
     let unlinked = |_: &Node, words| words;
     let part = lattice.part(words, sizes.as_mut_slice(), 1);
     encode_nodes::<BITS, WORDS, u32>(lattice, part, &unlinked, &size);
-    *has_wide = is_wide.into_inner();
 
-    let count = sizes.len() as u32;
-    let total = run_scan(sizes, 0, count, 0);
+    let total = run_scan(sizes, 0, count as u32, 0);
     triangles.resize(total as usize, 0);
     let begins = sizes.as_slice();
     let begin_of = |triangle: u32| begins.get(triangle as usize).map_or(total, |&b| b);
     let part = lattice.part(words, triangles, 1);
     place_triangles::<BITS, WORDS>(lattice, part, &begin_of);
+
+    // The narrowest width that would take as much; others in equal parts may as well, and come out as disorder next time.
+    let widths = [LeafWidth::Narrow, LeafWidth::Middle];
+    let takes_as_much = |width: &LeafWidth| width.words() as usize * count == total as usize;
+    widths.into_iter().find(takes_as_much)
 }
 
 /// Puts triangles where they belong, and links to them into the nodes.

@@ -43,7 +43,8 @@ impl Mesh {
 
     /// Whether all corners lie on the lattice whose step is 2 to this power.
     pub(crate) fn check_lattice(&self, step_exponent: i32) -> Result<(), MeshError> {
-        let is_on = |vertex: &[f32; 3]| vertex.iter().all(|&x| is_on_lattice(x, step_exponent));
+        let inverse = 2f64.powi(-step_exponent);
+        let is_on = |vertex: &[f32; 3]| vertex.iter().all(|&x| is_on_lattice(x, inverse));
         if self.vertices.par_iter().all(is_on) {
             return Ok(());
         }
@@ -81,20 +82,36 @@ fn snapped(x: f32, step_exponent: i32) -> f32 {
     }
 }
 
-fn is_on_lattice(x: f32, step_exponent: i32) -> bool {
-    let is_far = x.abs() > scale_by_power_of_two(MOST_STEPS as f32, step_exponent);
-    !is_far && snapped(x, step_exponent) == x
+/// Whether it is a whole number of steps, none too many, by how many steps make one.
+fn is_on_lattice(x: f32, inverse: f64) -> bool {
+    // Exact: doubles hold any float in steps of any size.
+    let steps = f64::from(x) * inverse;
+    let whole = steps as i32;
+    f64::from(whole) == steps && whole.abs() <= MOST_STEPS
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn mesh(vertices: &[[f32; 3]]) -> Mesh {
         Mesh {
             vertices: vertices.to_vec(),
             indices: vec![[0, 1, 2]],
             ..Mesh::default()
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_snapping_leaves_in_place_is_on_the_lattice(
+            x in prop_oneof![any::<f32>(), -20f32..20.0, (-300i32..300).prop_map(|i| i as f32 / 16.0)],
+            step_exponent in -6i32..6,
+        ) {
+            let most = f64::from(MOST_STEPS) * 2f64.powi(step_exponent);
+            let expected = f64::from(x.abs()) <= most && snapped(x, step_exponent) == x;
+            prop_assert_eq!(is_on_lattice(x, 2f64.powi(-step_exponent)), expected);
         }
     }
 
