@@ -277,6 +277,48 @@ fn what_was_never_built_can_be_refitted() {
     }
 }
 
+/// A builder that codes narrow, middle, wide and mixed triangles in turn does as one that begins anew.
+#[test]
+fn what_was_coded_before_changes_no_byte() {
+    let step_exponent = -12;
+    let wide = |radius: f32, subdivisions| {
+        let mut mesh = slimbvh::generate::icosphere(glam::Vec3::ZERO, radius, subdivisions);
+        mesh.snap(step_exponent);
+        mesh.normals.clear();
+        mesh
+    };
+    let (narrow, middle, wide) = (wide(0.25, 2), wide(30.0, 1), wide(2000.0, 0));
+    let mut mixed = narrow.clone();
+    let first = mixed.vertices.len() as u32;
+    mixed.vertices.extend(&middle.vertices);
+    let of_middle = middle.indices.iter();
+    mixed
+        .indices
+        .extend(of_middle.map(|face| face.map(|corner| first + corner)));
+    let q10 = NodeCodec::Lattice(LatticeBits::Q10);
+    let config = config(q10, MeshCodec::Lattice { step_exponent });
+    let mut builder = Builder::new(config);
+    let mut bvh = Bvh::default();
+    let mut bytes_of_all = Vec::new();
+    for mesh in [
+        &narrow, &narrow, &middle, &middle, &wide, &wide, &mixed, &mixed, &narrow, &mixed, &middle,
+        &narrow,
+    ] {
+        let built = builder.build_into(mesh, &mut bvh);
+        assert!(built.is_ok(), "{built:?}");
+        let expected = build_as(mesh, config);
+        assert!(bvh.stored() == expected.stored() && bvh.validate().is_ok());
+        bytes_of_all.push(bvh.triangle_bytes() / mesh.indices.len());
+    }
+    // The widths are those that this is about.
+    let mixed = bytes_of_all[6];
+    assert!(16 < mixed && mixed < 28, "{mixed}");
+    assert_eq!(
+        bytes_of_all,
+        [16, 16, 28, 28, 40, 40, mixed, mixed, 16, mixed, 28, 16]
+    );
+}
+
 /// A mesh that is not on the lattice is refused, with the vertex.
 #[test]
 fn what_is_off_the_lattice_is_refused() {
