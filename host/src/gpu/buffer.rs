@@ -136,6 +136,12 @@ impl Slot {
         range
     }
 
+    /// A range of a new buffer of just this many bytes.
+    pub fn renewed(&mut self, gpu: &Gpu, bytes: u64) -> Range {
+        self.buffer = None;
+        self.range(gpu, bytes)
+    }
+
     /// The range that was made last, if it is as large as this.
     pub fn kept(&self, bytes: u64) -> Option<Range> {
         let buffer = self.buffer.as_ref().filter(|b| b.size() >= bytes)?;

@@ -1,5 +1,6 @@
 //! A hierarchy in buffers.
 
+mod compact;
 mod download;
 
 use super::buffer::{Download, Range, Slot};
@@ -22,7 +23,7 @@ const NOTHING_BYTES: u64 = 32;
 ///
 /// How many nodes there are is known on the GPU only, so there is room for as many as there could be: 64 bytes a
 /// triangle in full, of which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are. Triangles on a lattice have room
-/// for 40 bytes each, and use as many as their leaves need.
+/// for 40 bytes each, and use as many as their leaves need. [`Self::compact`] gives back what is not used.
 #[derive(Debug)]
 pub struct Bvh {
     nodes: Slot,
@@ -95,15 +96,11 @@ impl Built {
 
 impl Default for Bvh {
     fn default() -> Self {
-        let state = BufferUsages::STORAGE
-            .union(BufferUsages::UNIFORM)
-            .union(BufferUsages::COPY_DST);
+        let copied = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
+        let state = copied.union(BufferUsages::UNIFORM);
         Self {
-            nodes: Slot::storage("slimbvh nodes"),
-            triangles: Slot::new(
-                "slimbvh leaf triangles",
-                BufferUsages::STORAGE.union(BufferUsages::COPY_DST),
-            ),
+            nodes: Slot::new("slimbvh nodes", copied),
+            triangles: Slot::new("slimbvh leaf triangles", copied),
             root: Slot::new("slimbvh root", state),
             word_total: Slot::new("slimbvh triangle word count", state),
             nothing: Slot::new("slimbvh no sides", state),

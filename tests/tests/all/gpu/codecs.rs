@@ -174,6 +174,53 @@ fn what_was_coded_before_changes_no_byte() {
     }
 }
 
+/// Compacted hierarchies take what they hold, answer as before, and can be built again.
+#[test]
+fn compacted_hierarchies_are_the_same_in_fewer_bytes() {
+    let Some(gpu) = gpu() else { return };
+    let step_exponent = -14;
+    let plain = BuildConfig::default();
+    for config in configs(CodeBits::Bits30, step_exponent)
+        .into_iter()
+        .chain([plain])
+    {
+        for count in [0, 1, 5, 3000] {
+            let mut mesh = soup(count, 7);
+            mesh.snap(step_exponent);
+            let uploaded = done(gpu::Mesh::upload(gpu, &mesh));
+            let (mut builder, mut bvh) = (gpu::Builder::new(config), gpu::Bvh::new());
+            let mut frame = gpu.frame();
+            done(builder.build(&mut frame, &uploaded, &mut bvh));
+            done(frame.submit());
+            let (before, expected) = (bvh.bytes(), done(bvh.download(gpu)));
+            done(bvh.compact(gpu));
+            let compacted = done(bvh.download(gpu));
+            done(same_stored(&compacted, &expected));
+            let [nodes, triangles] = done(bvh.read_bytes(gpu));
+            // Less is not bound, and a few numbers are stored beside.
+            assert!(bvh.bytes() <= nodes.max(64) + triangles.max(40) + 200);
+            assert!(bvh.bytes() <= before);
+            assert!(
+                count < 3000 || bvh.bytes() * 10 < before * 9,
+                "{before} {}",
+                bvh.bytes()
+            );
+
+            let mut frame = gpu.frame();
+            let refitted = builder.refit(&mut frame, &uploaded, &mut bvh);
+            assert_eq!(refitted.is_ok(), config == plain, "{refitted:?}");
+            if refitted.is_ok() {
+                done(frame.submit());
+                done(same_stored(&done(bvh.download(gpu)), &expected));
+            }
+            let mut frame = gpu.frame();
+            done(builder.build(&mut frame, &uploaded, &mut bvh));
+            done(frame.submit());
+            done(same_stored(&done(bvh.download(gpu)), &expected));
+        }
+    }
+}
+
 /// Subsets of a mesh, whose sizes only the GPU knows.
 #[test]
 fn reduced_coded_hierarchies_have_the_bytes_of_the_cpu() {

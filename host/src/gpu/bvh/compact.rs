@@ -1,0 +1,52 @@
+//! Buffers as large as what is in them.
+
+use super::super::buffer::{Range, Slot};
+use super::super::{Gpu, GpuError};
+use super::Bvh;
+use slimbvh_core::{LeafTriangle, Node};
+
+impl Bvh {
+    /// Moves the hierarchy into buffers of just its size, and waits for the GPU to tell that size. Until then they have room for
+    /// the most that any mesh of as many triangles could need. Without the builder, whose memory is many times as large, this is
+    /// all that tracing takes. A hierarchy in a codec cannot be refitted after that; any can be built again.
+    ///
+    /// # Errors
+    /// If it has not been built yet, there is no room for both, or the device was lost.
+    pub fn compact(&mut self, gpu: &Gpu) -> Result<(), GpuError> {
+        let [node_bytes, triangle_bytes] = self.read_bytes(gpu)?;
+        let mut built = self.built()?.clone();
+        // No binding can be empty.
+        let (node_bytes, triangle_bytes) = (
+            node_bytes.max(size_of::<Node>() as u64),
+            triangle_bytes.max(size_of::<LeafTriangle>() as u64),
+        );
+        let [nodes, triangles] = built.stored().map(Range::clone);
+        gpu.checked(|| {
+            let nodes = tight(gpu, &mut self.nodes, &nodes, node_bytes);
+            let triangles = tight(gpu, &mut self.triangles, &triangles, triangle_bytes);
+            // What is plain of it is the builder's.
+            built.nodes = nodes.clone();
+            built.triangles = triangles.clone();
+            if let Some(coded) = &mut built.coded {
+                coded.nodes = nodes;
+                coded.triangles = triangles;
+            }
+            self.stamp = 0;
+            self.built = Some(built);
+            Ok(())
+        })
+    }
+}
+
+/// Moves the beginning of a slot's buffer into one of just that size.
+fn tight(gpu: &Gpu, slot: &mut Slot, from: &Range, bytes: u64) -> Range {
+    let bytes = bytes.min(from.size);
+    let to = slot.renewed(gpu, bytes);
+    let mut encoder = gpu.device().create_command_encoder(&Default::default());
+    encoder.copy_buffer_to_buffer(&from.buffer, from.offset, &to.buffer, to.offset, bytes);
+    gpu.queue().submit([encoder.finish()]);
+    Range {
+        traffic: from.traffic,
+        ..to
+    }
+}
