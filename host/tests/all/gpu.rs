@@ -1,5 +1,7 @@
 //! The binary with a GPU, be it one that computes in software.
 
+mod saved;
+
 use crate::process::{Folder, Outcome};
 use std::sync::OnceLock;
 
