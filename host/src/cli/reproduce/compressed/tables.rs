@@ -1,23 +1,32 @@
 //! The paper's figures with ours below them.
 
-use super::measure::{Frame, MethodRecord, Round, STRONG, SceneRecord};
+mod times;
+
+use super::bench::Place;
+use super::frames::Frame;
+use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
-use super::printed::Printed;
 use crate::cli::output::count;
 use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::tables::{NOTHING, percent, ratio, time};
 
 /// All tables.
-pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
-    vec![
+pub fn tables(records: &[SceneRecord], place: Place) -> Vec<Table> {
+    let mut tables = vec![
         touched(records),
         bytes(records),
-        times(records),
-        pictures(records),
-        kinds(records),
-        widths(records),
-    ]
+        times::frames(records, place),
+        times::stages(records),
+    ];
+    if place.is_gpu() {
+        tables.push(buffers(records));
+    }
+    tables.extend([pictures(records), kinds(records), widths(records, place)]);
+    tables
 }
+
+/// Stands where a GPU was to time what it does not have.
+const CPU_ONLY: &str = "CPU only";
 
 /// More or less than before, as a share.
 fn change(ratio: f64) -> String {
@@ -138,71 +147,46 @@ fn bytes(records: &[SceneRecord]) -> Table {
     }
 }
 
-fn times(records: &[SceneRecord]) -> Table {
+/// How much memory of the GPU is taken.
+fn buffers(records: &[SceneRecord]) -> Table {
     let mut rows = Vec::new();
     for record in records {
-        if let Some(printed) = &record.printed {
-            rows.extend(printed_times(record.name, printed));
-        }
+        let plain = record.plain().on_gpu.map(|on_gpu| on_gpu.buffers);
         for own in main_methods(record) {
-            let rounds = &own.rounds;
-            let median = |of: fn(&Frame) -> f64| time(rounds.median(|round| of(&round.own)));
-            let of_plain = |of: fn(&Frame) -> f64| {
-                ratio(rounds.median(|round| of(&round.own) / of(&round.plain)))
+            let Some((own_buffers, plain)) = own.on_gpu.map(|g| g.buffers).zip(plain) else {
+                continue;
             };
+            let bytes = |bytes: u64| count(bytes);
+            let together = own_buffers.together();
             rows.push(vec![
                 record.name.to_owned(),
-                "ours".into(),
                 own.name.clone(),
-                median(|frame| frame.construction),
-                median(|frame| frame.encoding),
-                percent(rounds.median(Round::added)),
-                median(|frame| frame.rendering),
-                of_plain(|frame| frame.rendering),
-                median(Frame::total),
-                of_plain(Frame::total),
-                percent(rounds.spread(|round| round.own.total())),
+                count(own.bytes()),
+                bytes(own_buffers.tree),
+                bytes(own_buffers.builder),
+                bytes(own_buffers.renderer),
+                bytes(own_buffers.scene),
+                bytes(together),
+                percent(together as f64 / plain.together() as f64),
+                percent(own_buffers.tree as f64 / plain.tree as f64),
             ]);
         }
     }
     Table {
-        title: "Times, ms".into(),
+        title: "Bytes of the GPU's buffers, at most".into(),
         notes: vec![
-            "Construction up to the boxes, stage encode, which finds boxes and codes nodes and triangles, what both add to the construction \
-             of the plain tree, rendering, and a whole frame with a full rebuild. Moving the \
-             vertices onto the lattice is not included: it is done once, before anything is built. Ratios are medians over rounds in which \
-             the method and the plain tree took turns: below 1, the method is faster."
+            "What tree and triangles take; the room that they have, as only the GPU knows how many nodes there are and how long \
+             triangles; the builder's buffers between stages, in which nodes and triangles are in full before they are coded; the \
+             renderer's, for rays and the picture; the caller's mesh and materials; all of these, which are there at once. A tree that \
+             was uploaded has no more room than it takes, and no builder."
                 .into(),
         ],
-        word_columns: 3,
+        word_columns: 2,
         head: vec![
-            "scene", "by", "method", "construction", "encode", "added", "rendering", "of plain", "frame",
-            "of plain", "spread",
+            "scene", "method", "taken", "room", "builder", "renderer", "mesh", "together", "of plain", "room, of plain",
         ],
         rows,
     }
-}
-
-fn printed_times(name: &'static str, printed: &Printed) -> [Vec<String>; 3] {
-    let [nodes, triangles] = printed.compression;
-    let compression = [0.0, nodes, nodes + triangles];
-    let frames = printed.frames();
-    let methods = [Method::Plain, Method::Node, Method::NodeMesh];
-    [0, 1, 2].map(|i| {
-        vec![
-            name.to_owned(),
-            "printed".into(),
-            methods[i].name(),
-            time(printed.creation),
-            time(compression[i]),
-            percent(compression[i] / printed.creation),
-            time(printed.rendering[i]),
-            ratio(printed.rendering[i] / printed.rendering[0]),
-            time(frames[i]),
-            ratio(frames[i] / frames[0]),
-            NOTHING.into(),
-        ]
-    })
 }
 
 fn pictures(records: &[SceneRecord]) -> Table {
@@ -299,7 +283,7 @@ fn kinds(records: &[SceneRecord]) -> Table {
     }
 }
 
-fn widths(records: &[SceneRecord]) -> Table {
+fn widths(records: &[SceneRecord], place: Place) -> Table {
     let mut rows = Vec::new();
     for record in records {
         let plain = record.plain().counts.all();
@@ -312,8 +296,14 @@ fn widths(records: &[SceneRecord]) -> Table {
         for own in widths {
             let all = own.counts.all();
             let rounds = &own.rounds;
+            let or_not = |cell: String| match rounds.0.is_empty() {
+                true => CPU_ONLY.to_owned(),
+                false => cell,
+            };
             let of_plain = |of: fn(&Frame) -> f64| {
-                ratio(rounds.median(|round| of(&round.own) / of(&round.plain)))
+                or_not(ratio(
+                    rounds.median(|round| of(&round.own) / of(&round.plain)),
+                ))
             };
             rows.push(vec![
                 record.name.to_owned(),
@@ -324,23 +314,39 @@ fn widths(records: &[SceneRecord]) -> Table {
                 change(all.box_tests() / plain.box_tests()),
                 change(all.triangle_tests() / plain.triangle_tests()),
                 change(all.bytes_read() / plain.bytes_read()),
-                time(rounds.median(|round| round.own.encoding)),
+                or_not(time(rounds.median(|round| round.own.encoding))),
                 of_plain(|frame| frame.rendering),
                 count(own.differences.changed),
             ]);
         }
     }
+    let mut notes = vec![
+        "Nodes on the lattice in so many bits a plane, triangles in full: what more bits cost, and what fewer let through. Pictures must \
+         not change."
+            .to_owned(),
+    ];
+    if place.is_gpu() {
+        notes.push(
+            "CPU only: the GPU has no kernels for that many bits; what rays touch is the same on both."
+                .into(),
+        );
+    }
     Table {
         title: "How many bits".into(),
-        notes: vec![
-            "Nodes on the lattice in so many bits a plane, triangles in full: what more bits cost, and what fewer let through. Pictures must \
-             not change."
-                .into(),
-        ],
+        notes,
         word_columns: 2,
         head: vec![
-            "scene", "bits", "a node", "nodes, a triangle", "together, of plain", "box tests", "triangle tests", "bytes read",
-            "encoding, ms", "rendering, of plain", "pixels changed",
+            "scene",
+            "bits",
+            "a node",
+            "nodes, a triangle",
+            "together, of plain",
+            "box tests",
+            "triangle tests",
+            "bytes read",
+            "encoding, ms",
+            "rendering, of plain",
+            "pixels changed",
         ],
         rows,
     }
