@@ -15,7 +15,7 @@ const TOO_LARGE: &str = "take a smaller mesh, nodes and triangles of fewer bytes
 impl Bvh {
     /// Copies a hierarchy to the GPU as it is, in full or in its codec: nothing is built, and the buffers have room for no more
     /// than it has. [`Self::download`] gives back the same bytes. It is traced at once, by all frames that are submitted later;
-    /// a [`super::Builder`] refits it where it is in full and whole, and fills it again in any case.
+    /// a [`crate::gpu::Builder`] refits it where it is in full and whole, and fills it again in any case.
     ///
     /// # Errors
     /// For a codec that only the CPU has, a hierarchy that was never built, and one that is larger than the GPU takes, before

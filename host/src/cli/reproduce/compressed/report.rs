@@ -182,9 +182,9 @@ impl Report {
         let likeness = all.iter().map(|on_gpu| on_gpu.likeness);
         let sum = |of: fn(&Likeness) -> usize| likeness.clone().map(|it| of(&it)).sum::<usize>();
         format!(
-            "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU as well counted what {} from \
-             the eye touch, {} otherwise; its trees take as many bytes, and of the {} of its pictures {} differ from the CPU's by more \
-             than one of 255",
+            "on the CPU: tests, bytes read, changed pixels and cracks, which are the same on both. The GPU counted as well what {} from \
+             the eye touch: {} of these counts differ. Its trees take as many bytes, and of {} in its pictures {} differ from the CPU's \
+             by more than one of 255",
             things(sum(|it| it.rays), "ray"),
             count(sum(|it| it.counted_otherwise)),
             things(sum(|it| it.pixels), "pixel"),
