@@ -15,11 +15,6 @@ pub struct BackendArguments {
 }
 
 impl BackendArguments {
-    /// Whether only a GPU will do.
-    pub fn needs_gpu(&self) -> bool {
-        self.backend == Backend::Gpu || self.adapter.is_some()
-    }
-
     /// As they are written on the command line.
     pub fn words(&self) -> Vec<String> {
         let backend = self.backend.to_possible_value();

@@ -23,7 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh render
   slimbvh render model.glb -o model.png --spp 16
-  slimbvh render model.slim
+  slimbvh render model.slim --backend gpu
   slimbvh render model.ply --view heatmap --camera \"eye=0,1,5 target=0,0,0\" --light \"sun=-1,-2,-1\"
   slimbvh render --spp 64 --light \"disc=-4,5,3 normal=4,-5,-3 radius=1 color=130,120,100\"
   slimbvh render --spp 64 --camera \"lens=0.15 focus=8\"";
@@ -101,7 +101,9 @@ pub fn run(arguments: &RenderArguments) -> Result<()> {
     check_places(arguments)?;
     let (summary, text, picture) = if arguments.scene.is_saved() {
         saved::check(arguments)?;
-        arguments.threads.run(|| saved::render(arguments))??
+        let chosen = choose(&arguments.backend)?;
+        let work = || saved::render(arguments, &chosen);
+        arguments.threads.run(work)??
     } else {
         let chosen = choose(&arguments.backend)?;
         let mut scene = arguments.scene.load()?;

@@ -2,6 +2,7 @@
 
 mod compact;
 mod download;
+mod upload;
 
 use super::buffer::{Download, Range, Slot};
 use super::coding::Coding;
@@ -19,9 +20,9 @@ const STATE_BYTES: u64 = 16;
 const NOTHING_BYTES: u64 = 32;
 
 /// A bounding volume hierarchy in the GPU's memory. Filled by a [`super::Builder`], which can fill it again without
-/// allocating.
+/// allocating, or by [`Self::upload`].
 ///
-/// How many nodes there are is known on the GPU only, so there is room for as many as there could be: 64 bytes a
+/// How many nodes a build makes is known on the GPU only, so there is room for as many as there could be: 64 bytes a
 /// triangle in full, of which about 24 are used, and 16 to 28 in a codec, of which 6 to 11 are. Triangles on a lattice have room
 /// for 40 bytes each, and use as many as their leaves need. [`Self::compact`] gives back what is not used.
 #[derive(Debug)]
@@ -43,9 +44,10 @@ pub struct Bvh {
 /// The ranges of a hierarchy that was built, and what is known of it here.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Built {
-    /// In full, as many as there could be: the builder's, where the hierarchy is in a codec.
+    /// In full, as many as there could be: the builder's, where the hierarchy is in a codec. Of one in a codec that was uploaded
+    /// nothing is in full: these are what is in the codec, and no build's, so that nobody refits it.
     pub nodes: Range,
-    /// In full, in leaf order: the builder's, where the hierarchy has them in a codec.
+    /// In full, in leaf order: the builder's, where the hierarchy has them in a codec. As the nodes, where it was uploaded.
     pub triangles: Range,
     /// What is in a codec.
     pub coded: Option<Coded>,
@@ -96,11 +98,11 @@ impl Built {
 
 impl Default for Bvh {
     fn default() -> Self {
-        let copied = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
-        let state = copied.union(BufferUsages::UNIFORM);
+        let copied_to = BufferUsages::STORAGE.union(BufferUsages::COPY_DST);
+        let state = copied_to.union(BufferUsages::UNIFORM);
         Self {
-            nodes: Slot::new("slimbvh nodes", copied),
-            triangles: Slot::new("slimbvh leaf triangles", copied),
+            nodes: Slot::new("slimbvh nodes", copied_to),
+            triangles: Slot::new("slimbvh leaf triangles", copied_to),
             root: Slot::new("slimbvh root", state),
             word_total: Slot::new("slimbvh triangle word count", state),
             nothing: Slot::new("slimbvh no sides", state),

@@ -17,6 +17,7 @@ mod shading;
 mod sorts;
 mod textures;
 mod trace;
+mod uploads;
 mod views;
 mod waves;
 

@@ -1,7 +1,9 @@
 //! `slimbvh reproduce compressed`.
 
+mod bench;
 mod counts;
 mod cracks;
+mod frames;
 mod machine;
 mod measure;
 mod methods;
@@ -17,12 +19,13 @@ mod targets;
 mod tests;
 
 use super::{check_places, hand_out, scenes_folder};
+use crate::cli::backend::{BackendArguments, Chosen, choose};
 use crate::cli::{ThreadArguments, output};
 use anyhow::Result;
 use clap::{Args, ValueEnum};
 use measure::{SceneRecord, measure};
 use protocol::Protocol;
-use report::Report;
+use report::{LeftOut, Report};
 use scenes::Subject;
 use std::path::PathBuf;
 
@@ -30,12 +33,14 @@ const EXAMPLES: &str = "\
 Examples:
   slimbvh reproduce compressed --quick
   slimbvh reproduce compressed --only shiny bunny --json -
-  slimbvh reproduce compressed --scenes models --threads 2 --out compressed-cpu.md";
+  slimbvh reproduce compressed --scenes models --threads 2 --out compressed-cpu.md
+  slimbvh reproduce compressed --quick --backend gpu";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub struct CompressedArguments {
-    /// Half a minute on two cores: small pictures, few repeats, nothing of 7.2 million triangles
+    /// Half a minute on two cores, three times as long with a GPU in software: small pictures, few repeats, nothing of 7.2 million
+    /// triangles
     #[arg(long)]
     quick: bool,
 
@@ -54,6 +59,9 @@ pub struct CompressedArguments {
     #[command(flatten)]
     threads: ThreadArguments,
 
+    #[command(flatten)]
+    backend: BackendArguments,
+
     /// Write all that was measured as JSON, to standard output for "-"
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -71,24 +79,68 @@ enum SceneName {
 pub fn run(arguments: &CompressedArguments) -> Result<()> {
     let (out, json) = (arguments.out.as_deref(), arguments.json.as_deref());
     check_places(arguments.scenes.as_deref(), out, json)?;
-    let report = arguments.threads.run(|| make(arguments))??;
+    let chosen = choose(&arguments.backend)?;
+    let report = arguments.threads.run(|| make(arguments, chosen))??;
     hand_out(&report, &report.sheet(), out, json)
 }
 
-fn make(arguments: &CompressedArguments) -> Result<Report> {
+/// Measures on what was chosen.
+fn make(arguments: &CompressedArguments, chosen: Chosen) -> Result<Report> {
     let protocol = match arguments.quick {
         true => Protocol::QUICK,
         false => Protocol::FULL,
     };
+    #[cfg(feature = "gpu")]
+    if let Chosen::GpuIfItFits(_) = chosen {
+        return match measure_all(arguments, &chosen, &protocol) {
+            Err(error) if crate::cli::backend::is_the_gpus_fault(&error) => {
+                output::warn(&format!("{error:#}; the CPU does it"));
+                let scenes = measure_all(arguments, &Chosen::Cpu, &protocol)?;
+                Ok(Report::new(arguments, &Chosen::Cpu, protocol, scenes))
+            }
+            scenes => Ok(Report::new(arguments, &chosen, protocol, scenes?)),
+        };
+    }
+    let scenes = measure_all(arguments, &chosen, &protocol)?;
+    Ok(Report::new(arguments, &chosen, protocol, scenes))
+}
+
+/// All scenes that are asked for. Those that nobody named are left out where the GPU does not take them.
+fn measure_all(
+    arguments: &CompressedArguments,
+    chosen: &Chosen,
+    protocol: &Protocol,
+) -> Result<(Vec<SceneRecord>, Vec<LeftOut>)> {
     let folder = scenes_folder(arguments.scenes.as_deref());
-    let measure_one = |name: SceneName| -> Result<SceneRecord> {
+    let (mut records, mut left_out) = (Vec::new(), Vec::new());
+    for name in arguments.names() {
         let _progress = output::spinner(format!("measuring {}", name.shown()));
         let subject = Subject::new(name, folder.as_deref(), protocol.size)?;
-        measure(subject, &protocol)
-    };
-    let records = arguments.names().into_iter().map(measure_one);
-    let records = records.collect::<Result<_>>()?;
-    Ok(Report::new(arguments, protocol, records))
+        let scene = subject.name.to_owned();
+        match measure(subject, chosen, protocol) {
+            Ok(record) => records.push(record),
+            Err(error) if arguments.only.is_empty() && is_too_large(&error) => {
+                let why = format!("{error:#}");
+                left_out.push(LeftOut { scene, why });
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    Ok((records, left_out))
+}
+
+/// Whether a scene is too large for the GPU.
+fn is_too_large(error: &anyhow::Error) -> bool {
+    #[cfg(feature = "gpu")]
+    return matches!(
+        error.downcast_ref(),
+        Some(slimbvh::gpu::GpuError::TooLarge { .. })
+    );
+    #[cfg(not(feature = "gpu"))]
+    {
+        let _ = error;
+        false
+    }
 }
 
 impl SceneName {
@@ -120,6 +172,7 @@ impl CompressedArguments {
             words.extend(self.names().into_iter().map(SceneName::shown));
         }
         words.extend(self.threads.words());
+        words.extend(self.backend.words());
         words.join(" ")
     }
 }

@@ -3,6 +3,9 @@
 #[cfg(feature = "gpu")]
 mod on_gpu;
 
+#[cfg(feature = "gpu")]
+pub use on_gpu::timed;
+
 use super::aim::Aim;
 use crate::cli::backend::Chosen;
 use anyhow::Result;

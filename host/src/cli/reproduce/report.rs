@@ -145,7 +145,7 @@ fn list(parts: impl Iterator<Item = String>) -> String {
 
 /// A GPU's name, and whether it is one.
 #[cfg(feature = "gpu")]
-fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
+pub fn adapter(gpu: &slimbvh::gpu::Gpu) -> String {
     let name = gpu.name();
     match gpu.device().adapter_info().device_type {
         wgpu::DeviceType::Cpu => {

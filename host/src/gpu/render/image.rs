@@ -2,8 +2,8 @@
 
 use super::{Renderer, check, waves};
 use crate::gpu::trees::NoTurns;
-use crate::gpu::{Builder, Bvh, Gpu, GpuError, Scene, Trees};
-use crate::scene::ViewError;
+use crate::gpu::{Builder, Bvh, Frame, Gpu, GpuError, Scene, Trees};
+use crate::scene::{Camera, Light, ViewError};
 use crate::{BuildConfig, Picture, RenderReport, RenderSettings, Stages};
 use slimbvh_core::Aabb;
 use slimbvh_core::bounds::scene_exponent;
@@ -69,26 +69,95 @@ impl Parts<'_> {
         scene: &crate::Scene,
         settings: &RenderSettings,
         picture: &mut Picture,
-        mut progress: impl FnMut(f64),
+        progress: impl FnMut(f64),
     ) -> Result<(Stages, RenderReport), GpuError> {
         let begin = Instant::now();
-        let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
         self.builder.check_mesh(&scene.mesh)?;
-        let bounds = scene.mesh.bounds().unwrap_or(Aabb::EMPTY);
-        camera.check_reach(scene_exponent(&bounds))?;
-        camera.to_core(settings.size, settings.sample_count)?;
+        let camera = check_view(gpu, scene, settings)?;
         self.builder.check(gpu, scene.mesh.indices.len() as u32)?;
-        let limit = gpu.limits().max_storage_buffer_binding_size;
-        check(gpu, settings, &waves(settings, limit))?;
         let uploaded = Scene::upload(gpu, scene)?;
 
         // The build and the first wave are one submission.
         let mut frame = gpu.frame();
-        let (bvh, renderer) = (self.bvh, self.renderer);
-        self.builder.build(&mut frame, &uploaded.mesh, bvh)?;
-        let trees = Trees::all(bvh, scene.lights.len());
-        let view = (camera, scene.lights.as_slice());
-        let plan = renderer.plan(&mut frame, &uploaded, &trees, view, settings)?;
+        self.builder.build(&mut frame, &uploaded.mesh, self.bvh)?;
+        let image = Image {
+            uploaded: &uploaded,
+            bvh: self.bvh,
+            view: (camera, &scene.lights),
+            settings,
+            begin,
+        };
+        image.render(self.renderer, frame, picture, progress)
+    }
+}
+
+impl Renderer {
+    /// Uploads a scene, renders it through its first camera and a hierarchy over its mesh, and waits for the picture: nothing is
+    /// built. `progress` is told the share done, 0 to 1.
+    ///
+    /// # Errors
+    /// Those of [`Scene::upload`] and [`Self::render`]; what is too large is refused before anything is allocated.
+    pub fn render_image(
+        &mut self,
+        gpu: &Gpu,
+        (scene, bvh): (&crate::Scene, &Bvh),
+        settings: &RenderSettings,
+        picture: &mut Picture,
+        progress: impl FnMut(f64),
+    ) -> Result<RenderReport, GpuError> {
+        let begin = Instant::now();
+        scene.mesh.validate()?;
+        let camera = check_view(gpu, scene, settings)?;
+        let uploaded = Scene::upload(gpu, scene)?;
+        let image = Image {
+            uploaded: &uploaded,
+            bvh,
+            view: (camera, &scene.lights),
+            settings,
+            begin,
+        };
+        let (_, report) = image.render(self, gpu.frame(), picture, progress)?;
+        Ok(report)
+    }
+}
+
+/// Refuses a view that makes no picture, and a picture that is larger than the GPU takes. Returns the camera.
+fn check_view<'a>(
+    gpu: &Gpu,
+    scene: &'a crate::Scene,
+    settings: &RenderSettings,
+) -> Result<&'a Camera, GpuError> {
+    let camera = scene.cameras.first().ok_or(ViewError::NoCamera)?;
+    let bounds = scene.mesh.bounds().unwrap_or(Aabb::EMPTY);
+    camera.check_reach(scene_exponent(&bounds))?;
+    camera.to_core(settings.size, settings.sample_count)?;
+    let limit = gpu.limits().max_storage_buffer_binding_size;
+    check(gpu, settings, &waves(settings, limit))?;
+    Ok(camera)
+}
+
+/// A picture of what is on the GPU, or will be in the frame that begins it.
+struct Image<'a> {
+    uploaded: &'a Scene,
+    bvh: &'a Bvh,
+    view: (&'a Camera, &'a [Light]),
+    settings: &'a RenderSettings,
+    begin: Instant,
+}
+
+impl Image<'_> {
+    /// Renders wave after wave, each a submission that is waited for; the first one is that of the frame. Returns the times of
+    /// what was built in it, and what the render did.
+    fn render(
+        self,
+        renderer: &mut Renderer,
+        mut frame: Frame,
+        picture: &mut Picture,
+        mut progress: impl FnMut(f64),
+    ) -> Result<(Stages, RenderReport), GpuError> {
+        let gpu = frame.gpu();
+        let trees = Trees::all(self.bvh, self.view.1.len());
+        let plan = renderer.plan(&mut frame, self.uploaded, &trees, self.view, self.settings)?;
         let wave_count = plan.waves.len();
         let mut stages = Stages::default();
         for wave in 0..wave_count {
@@ -100,7 +169,7 @@ impl Parts<'_> {
             progress((wave + 1) as f64 / wave_count as f64);
             frame = gpu.frame();
         }
-        let times = renderer.finish(frame, stages, begin, picture)?;
+        let times = renderer.finish(frame, stages, self.begin, picture)?;
         progress(1.0);
         Ok(times)
     }

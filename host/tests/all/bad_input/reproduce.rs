@@ -67,10 +67,17 @@ fn reports_without_a_place() {
 #[test]
 fn gpus_that_are_not_there() {
     let folder = folder();
-    let named = [&REDUCED[..], &["--adapter", "no such GPU"]].concat();
-    refuses(&folder, &named, &["GPU"]);
-    let both = [&REDUCED[..], &["--adapter", "x", "--backend", "cpu"]].concat();
-    refuses(&folder, &both, &["--adapter", "leave one out"]);
+    for paper in [REDUCED, ["reproduce", "compressed", "--quick"]] {
+        let named = [&paper[..], &["--adapter", "no such GPU"]].concat();
+        refuses(&folder, &named, &["GPU"]);
+        refuses(
+            &folder,
+            &[&paper[..], &["--backend", "gpu"]].concat(),
+            &["GPU"],
+        );
+        let both = [&paper[..], &["--adapter", "x", "--backend", "cpu"]].concat();
+        refuses(&folder, &both, &["--adapter", "leave one out"]);
+    }
 }
 
 /// The same is refused of either paper.

@@ -88,14 +88,27 @@ fn other_trees_than_the_file_has() {
         (&["--codes", "63"], &["--codes", "built already"]),
         (&["--reduce", "on"], &["--reduce on", "one tree"]),
         (&["--cull", "on"], &["--cull on", "one tree"]),
-        (&["--backend", "gpu"], &["on the CPU for now"]),
-        (&["--adapter", "any"], &["on the CPU for now"]),
     ] {
         for output in ["new.png", "kept.png"] {
             let render = ["render", "sound.slim", "-o", output];
             let expected = [&["\"sound.slim\""], expected].concat();
             refuses(&folder, &[&render, options].concat(), &expected);
         }
+    }
+}
+
+/// A file is traced on the GPU that is asked for, or not at all.
+#[test]
+fn gpus_that_are_not_there() {
+    let (folder, _) = saved();
+    for output in ["new.png", "kept.png"] {
+        let render = ["render", "sound.slim", "-o", output];
+        for options in [&["--backend", "gpu"][..], &["--adapter", "no such GPU"]] {
+            refuses(&folder, &[&render, options].concat(), &["GPU"]);
+        }
+        let both = ["--adapter", "x", "--backend", "cpu"];
+        let expected = ["--adapter", "leave one out"];
+        refuses(&folder, &[&render[..], &both].concat(), &expected);
     }
 }
 

@@ -159,6 +159,8 @@ fn help_for_compressed_trees() {
     let folder = Folder::new();
     let compressed = folder.succeed(["reproduce", "compressed", "--help"]);
     let expected = [
+        "--adapter",
+        "--backend",
         "--help",
         "--json",
         "--only",

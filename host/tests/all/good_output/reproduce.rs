@@ -189,7 +189,7 @@ fn what_is_missing_is_stood_in_for() {
     assert!(rows.iter().all(|row| row.len() == rows[0].len()));
 }
 
-const QUICK_COMPRESSED: [&str; 3] = ["reproduce", "compressed", "--quick"];
+const QUICK_COMPRESSED: [&str; 5] = ["reproduce", "compressed", "--quick", "--backend", "cpu"];
 
 /// What is printed beside what is measured, with a stand-in where there is no file; verdicts are those of the figures.
 #[test]
@@ -213,17 +213,22 @@ fn compressed_trees_as_text_markdown_and_json() {
         "What a ray touches",
         "Bytes of tree and triangles",
         "Times, ms",
+        "Times by stage, ms",
         "What becomes of the picture",
         "The same by kind of rays",
         "How many bits",
         "Targets",
         "stands in for bunny00.off",
         "2 threads",
-        "slimbvh reproduce compressed --quick --only shiny bunny --threads 2",
+        "slimbvh reproduce compressed --quick --only shiny bunny --threads 2 --backend cpu",
     ] {
         assert!(text.contains(part), "{part} is not in {text}");
     }
     assert!(!text.contains("NaN") && !text.contains("-0 %"), "{text}");
+    assert!(
+        !text.contains("GPU's buffers") && !text.contains("CPU only"),
+        "{text}"
+    );
 
     let report = parse(&String::from_utf8(folder.read("c.json")).unwrap());
     let expected = [
@@ -265,6 +270,7 @@ fn compressed_trees_as_text_markdown_and_json() {
         ("What a ray touches", 2 * (2 + 7)),
         ("Bytes of tree and triangles", 2 * 7),
         ("Times, ms", 2 * (3 + 7)),
+        ("Times by stage, ms", 2 * 7),
         ("What becomes of the picture", 2 * 7),
         ("The same by kind of rays", 3 * 7 + 2 * 7),
         ("How many bits", 2 * 7),

@@ -20,7 +20,7 @@ const Q10: NodeCodec = NodeCodec::Lattice(LatticeBits::Q10);
 const Q21: NodeCodec = NodeCodec::Lattice(LatticeBits::Q21);
 
 /// All that the GPU has; a lattice of this step.
-fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
+pub fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
     let lattice = MeshCodec::Lattice { step_exponent };
     [
         (NodeCodec::Printed, MeshCodec::F32),
@@ -38,7 +38,7 @@ fn configs(code_bits: CodeBits, step_exponent: i32) -> [BuildConfig; 6] {
 }
 
 /// A mesh on a lattice some steps coarser than the finest, and its step.
-fn snapped(mesh: &Mesh, coarser: i32) -> (Mesh, i32) {
+pub fn snapped(mesh: &Mesh, coarser: i32) -> (Mesh, i32) {
     let step_exponent = mesh.finest_step() + coarser;
     let mut snapped = mesh.clone();
     snapped.snap(step_exponent);
@@ -46,7 +46,7 @@ fn snapped(mesh: &Mesh, coarser: i32) -> (Mesh, i32) {
 }
 
 /// Compares all that a hierarchy in a codec holds.
-fn same_stored(gpu: &slimbvh::Bvh, cpu: &slimbvh::Bvh) -> Result<(), String> {
+pub fn same_stored(gpu: &slimbvh::Bvh, cpu: &slimbvh::Bvh) -> Result<(), String> {
     let what = |fault| format!("{:?}: {fault}", cpu.codecs());
     same_bits(gpu.root_words().as_slice(), cpu.root_words().as_slice()).map_err(what)?;
     let [a, b] = [gpu, cpu].map(slimbvh::Bvh::stored);

@@ -13,8 +13,8 @@ use slimbvh_tests::parity::alike;
 use slimbvh_tests::scenes::real_meshes;
 
 /// This share of the bytes may differ, by no more than [`MOST`]: some come to lie between two bytes.
-const SHARE: f64 = 1e-3;
-const MOST: u8 = 1;
+pub const SHARE: f64 = 1e-3;
+pub const MOST: u8 = 1;
 
 pub const VIEWS: [View; 5] = [
     View::Color,
@@ -38,7 +38,7 @@ pub fn of_gpu(gpu: &Gpu, scene: &Scene, settings: &RenderSettings) -> (Picture, 
     of_gpu_as(gpu, scene, settings, BuildConfig::default())
 }
 
-fn of_gpu_as(
+pub fn of_gpu_as(
     gpu: &Gpu,
     scene: &Scene,
     settings: &RenderSettings,
@@ -55,7 +55,7 @@ pub fn of_cpu(scene: &Scene, settings: &RenderSettings) -> (Picture, RenderRepor
     of_cpu_as(scene, settings, BuildConfig::default())
 }
 
-fn of_cpu_as(
+pub fn of_cpu_as(
     scene: &Scene,
     settings: &RenderSettings,
     config: BuildConfig,

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use slimbvh::generate::soup;
-use slimbvh::gpu::{self, Gpu, GpuError, Query, wgpu};
+use slimbvh::gpu::{self, Frame, Gpu, GpuError, Query, wgpu};
 use slimbvh::{BuildConfig, Bvh, CodeBits, Mesh};
 use slimbvh_core::launch::NEAREST_COUNT;
 use slimbvh_core::ray::{NO_PRIMITIVE, PreparedRay};
@@ -32,6 +32,12 @@ impl Answers {
         let mut frame = gpu.frame();
         let mut builder = gpu::Builder::new(config.into());
         done(builder.build(&mut frame, &mesh, &mut bvh));
+        Self::in_frame(frame, &bvh, rays)
+    }
+
+    /// Traces through a hierarchy that is there, or is built in this frame.
+    pub fn in_frame(mut frame: Frame, bvh: &gpu::Bvh, rays: &[Ray]) -> Self {
+        let gpu = frame.gpu();
         let ray_buffer = storage(gpu, rays);
         let queries = [Query::Closest, Query::Any, Query::Nearest, Query::Counted];
         let [closest, any, nearest, counted] = queries.map(|query| {

@@ -1,5 +1,11 @@
 //! What builds and renders while it is timed. Counts are the same on every machine, and are not taken here.
 
+#[cfg(feature = "gpu")]
+mod on_gpu;
+
+#[cfg(feature = "gpu")]
+pub use on_gpu::OnGpu;
+
 use super::methods::Prepared;
 use anyhow::Result;
 use slimbvh::{Builder, Bvh, Picture, RenderSettings, Renderer, Stages};
@@ -31,6 +37,12 @@ impl<'a> Cpu<'a> {
             renderer: Renderer::new(),
             picture: Picture::default(),
         }
+    }
+
+    /// Its vertices moved onto the lattice, where there is one.
+    #[cfg(feature = "gpu")]
+    pub fn scene(&self) -> &slimbvh::Scene {
+        &self.prepared.scene
     }
 }
 

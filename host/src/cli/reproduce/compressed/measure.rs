@@ -1,17 +1,20 @@
 //! Everything that is measured of a scene.
 
+use super::bench::{self, GpuRecord, Timed};
 use super::counts::{Counts, count};
 use super::cracks::{Cracks, aim};
+use super::frames::Round;
 use super::machine::{Cpu, Machine};
 use super::methods::{Method, Prepared};
 use super::moves::moved;
 use super::printed::Printed;
 use super::protocol::Protocol;
 use super::scenes::Subject;
+use crate::cli::backend::Chosen;
 use crate::cli::reproduce::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
-use slimbvh::{MeshCodec, Picture, RenderSettings, Stages};
+use slimbvh::{MeshCodec, Picture, RenderSettings};
 
 /// What was measured of one scene.
 #[derive(Serialize)]
@@ -20,6 +23,9 @@ pub struct SceneRecord {
     #[serde(skip)]
     pub printed: Option<Printed>,
     pub stand_in: Option<String>,
+    /// Whether a tree has little to gain.
+    #[serde(skip)]
+    pub is_smallest: bool,
     pub triangles: usize,
     /// Of the scene's box.
     pub diagonal: f32,
@@ -43,7 +49,10 @@ pub struct MethodRecord {
     pub moved: Option<[f32; 2]>,
     /// Of closed scenes.
     pub cracks: Option<Cracks>,
+    /// None where a GPU was to time what it does not have.
     pub rounds: Rounds<Round>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub on_gpu: Option<GpuRecord>,
 }
 
 /// Pixels of two pictures.
@@ -60,52 +69,6 @@ pub struct Differences {
 
 /// A change that may be seen.
 pub const STRONG: u8 = 16;
-
-/// A frame with a plain tree, and the same with another.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Round {
-    pub plain: Frame,
-    pub own: Frame,
-}
-
-/// Milliseconds.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Frame {
-    /// All stages but the next.
-    pub construction: f64,
-    /// Boxes, nodes and triangles in codecs.
-    pub encoding: f64,
-    pub rendering: f64,
-}
-
-impl Frame {
-    fn take(machine: &mut dyn Machine, settings: &RenderSettings) -> Result<Self> {
-        let ms = |stages: &Stages, is_counted: &dyn Fn(&str) -> bool| {
-            let times = stages.iter().filter(|(stage, _)| is_counted(stage));
-            times.fold(0.0, |sum, (_, time)| sum + time.as_secs_f64() * 1e3)
-        };
-        let build = machine.build()?;
-        let render = machine.render(settings)?;
-        Ok(Self {
-            construction: ms(&build, &|stage| stage != "encode"),
-            encoding: ms(&build, &|stage| stage == "encode"),
-            rendering: ms(&render, &|_| true),
-        })
-    }
-
-    pub fn total(&self) -> f64 {
-        self.construction + self.encoding + self.rendering
-    }
-}
-
-impl Round {
-    /// What the codec adds to building, as a share of building the plain tree. Boxes are found while coding, so that neither
-    /// is there without the other.
-    pub fn added(&self) -> f64 {
-        let built = |frame: &Frame| frame.construction + frame.encoding;
-        built(&self.own) / built(&self.plain) - 1.0
-    }
-}
 
 impl SceneRecord {
     pub fn plain(&self) -> &MethodRecord {
@@ -125,8 +88,8 @@ impl MethodRecord {
     }
 }
 
-/// Measures one scene with each method. What is timed takes turns with the plain tree.
-pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
+/// Measures one scene with each method. What is timed takes turns with the plain tree; what is counted is counted on cores.
+pub fn measure(subject: Subject, chosen: &Chosen, protocol: &Protocol) -> Result<SceneRecord> {
     let scene = &subject.scene;
     let settings = RenderSettings {
         size: protocol.size,
@@ -134,6 +97,7 @@ pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
         ..RenderSettings::default()
     };
     let plain = Method::Plain.prepare(scene, &Protocol::PIXELS);
+    let mut bench = bench::open(chosen, &plain)?;
     let mut reference = Cpu::new(&plain);
     let aimed_rays = subject.is_closed.then_some(protocol.aimed_rays);
     reference.build()?;
@@ -141,7 +105,8 @@ pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
     let facts = |own: &Cpu, prepared: &Prepared, reference: &Cpu, hits: Option<&[bool]>| {
         facts(prepared, (own, reference), (&settings, aimed_rays), hits)
     };
-    let first = facts(&reference, &plain, &reference, None)?;
+    let mut first = facts(&reference, &plain, &reference, None)?;
+    first.on_gpu = bench.plain(&reference, &settings)?;
     let hits = first.counts.hits.clone();
     let mut methods = vec![first];
     for method in Method::all() {
@@ -150,14 +115,16 @@ pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
         own.build()?;
         own.render(&settings)?;
         let mut record = facts(&own, &prepared, &reference, Some(&hits))?;
-        record.rounds = take_turns((&mut reference, &mut own), &settings, protocol.rounds)?;
+        let both = (&mut reference, &mut own);
+        let Timed { rounds, on_gpu } = bench.time(both, &prepared, &settings, protocol.rounds)?;
+        (record.rounds, record.on_gpu) = (rounds, on_gpu);
         methods.push(record);
     }
     // All that was timed of the plain tree.
     let all = methods.iter().flat_map(|record| &record.rounds.0);
     let all = all.map(|round| Round {
-        own: round.plain,
-        ..*round
+        plain: round.plain.clone(),
+        own: round.plain.clone(),
     });
     let all = all.collect();
     methods[0].rounds = Rounds(all);
@@ -168,27 +135,9 @@ pub fn measure(subject: Subject, protocol: &Protocol) -> Result<SceneRecord> {
         triangles: scene.mesh.indices.len(),
         diagonal: bounds.map_or(0.0, |bounds| (bounds.max - bounds.min).length()),
         stand_in: subject.stand_in,
+        is_smallest: subject.is_smallest,
         methods,
     })
-}
-
-/// Builds and renders in turn. One round before does not count.
-fn take_turns(
-    (plain, own): (&mut dyn Machine, &mut dyn Machine),
-    settings: &RenderSettings,
-    count: u32,
-) -> Result<Rounds<Round>> {
-    let mut rounds = Rounds::default();
-    for round in 0..=count {
-        let times = Round {
-            plain: Frame::take(plain, settings)?,
-            own: Frame::take(own, settings)?,
-        };
-        if round > 0 {
-            rounds.0.push(times);
-        }
-    }
-    Ok(rounds)
 }
 
 /// What needs no clock, of a tree that was built and a picture that was made. `hits` are the pixels of the reference where there
@@ -223,6 +172,7 @@ fn facts(
         moved,
         cracks: cracks.transpose()?,
         rounds: Rounds::default(),
+        on_gpu: None,
     })
 }
 
@@ -235,7 +185,7 @@ fn differ(before: Option<&[bool]>, after: &[bool], were: bool) -> usize {
 }
 
 /// How many pixels differ by more than this in any channel.
-fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
+pub fn changed(a: &Picture, b: &Picture, most: u8) -> usize {
     let (a, b) = (a.to_srgb(), b.to_srgb());
     let pixels = a.chunks(3).zip(b.chunks(3));
     let differ = |(a, b): &(&[u8], &[u8])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > most);

@@ -17,6 +17,8 @@ pub struct Subject {
     pub stand_in: Option<String>,
     /// Whether its surfaces are closed and seen from outside.
     pub is_closed: bool,
+    /// Whether it is the one whose rays open few nodes, so that a codec has little to gain.
+    pub is_smallest: bool,
 }
 
 /// As printed, about 70 000 triangles.
@@ -58,6 +60,7 @@ impl Subject {
             scene,
             stand_in,
             is_closed: name != SceneName::Shiny,
+            is_smallest: name == SceneName::Shiny,
         })
     }
 }

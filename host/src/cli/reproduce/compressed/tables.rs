@@ -1,23 +1,33 @@
 //! The paper's figures with ours below them.
 
-use super::measure::{Frame, MethodRecord, Round, STRONG, SceneRecord};
+mod memory;
+mod times;
+
+use super::bench::Place;
+use super::frames::Frame;
+use super::measure::{MethodRecord, STRONG, SceneRecord};
 use super::methods::Method;
-use super::printed::Printed;
 use crate::cli::output::count;
 use crate::cli::reproduce::table::Table;
 use crate::cli::reproduce::tables::{NOTHING, percent, ratio, time};
 
 /// All tables.
-pub fn tables(records: &[SceneRecord]) -> Vec<Table> {
-    vec![
+pub fn tables(records: &[SceneRecord], place: Place) -> Vec<Table> {
+    let mut tables = vec![
         touched(records),
-        bytes(records),
-        times(records),
-        pictures(records),
-        kinds(records),
-        widths(records),
-    ]
+        memory::bytes(records),
+        times::frames(records, place),
+        times::stages(records),
+    ];
+    if place.is_gpu() {
+        tables.push(memory::buffers(records));
+    }
+    tables.extend([pictures(records), kinds(records), widths(records, place)]);
+    tables
 }
+
+/// Stands where a GPU was to time what it does not have.
+const CPU_ONLY: &str = "CPU only";
 
 /// More or less than before, as a share.
 fn change(ratio: f64) -> String {
@@ -102,107 +112,6 @@ fn touched(records: &[SceneRecord]) -> Table {
         head,
         rows,
     }
-}
-
-fn bytes(records: &[SceneRecord]) -> Table {
-    let mut rows = Vec::new();
-    for record in records {
-        let each = |bytes: usize| format!("{:.1}", bytes as f64 / record.triangles as f64);
-        for own in main_methods(record) {
-            rows.push(vec![
-                record.name.to_owned(),
-                own.name.clone(),
-                own.method.node_bytes().to_string(),
-                count(own.node_bytes),
-                each(own.node_bytes),
-                count(own.triangle_bytes),
-                each(own.triangle_bytes),
-                count(own.bytes()),
-                each(own.bytes()),
-                percent(own.bytes() as f64 / record.plain().bytes() as f64),
-            ]);
-        }
-    }
-    Table {
-        title: "Bytes of tree and triangles".into(),
-        notes: vec![
-            "A node, all nodes, those a triangle of the scene, all triangles in leaves with their index, both together. The caller's mesh is \
-             not included. The paper says that up to 40 % less memory is needed."
-                .into(),
-        ],
-        word_columns: 2,
-        head: vec![
-            "scene", "method", "a node", "nodes", "a triangle", "triangles", "each", "together", "a triangle", "of plain",
-        ],
-        rows,
-    }
-}
-
-fn times(records: &[SceneRecord]) -> Table {
-    let mut rows = Vec::new();
-    for record in records {
-        if let Some(printed) = &record.printed {
-            rows.extend(printed_times(record.name, printed));
-        }
-        for own in main_methods(record) {
-            let rounds = &own.rounds;
-            let median = |of: fn(&Frame) -> f64| time(rounds.median(|round| of(&round.own)));
-            let of_plain = |of: fn(&Frame) -> f64| {
-                ratio(rounds.median(|round| of(&round.own) / of(&round.plain)))
-            };
-            rows.push(vec![
-                record.name.to_owned(),
-                "ours".into(),
-                own.name.clone(),
-                median(|frame| frame.construction),
-                median(|frame| frame.encoding),
-                percent(rounds.median(Round::added)),
-                median(|frame| frame.rendering),
-                of_plain(|frame| frame.rendering),
-                median(Frame::total),
-                of_plain(Frame::total),
-                percent(rounds.spread(|round| round.own.total())),
-            ]);
-        }
-    }
-    Table {
-        title: "Times, ms".into(),
-        notes: vec![
-            "Construction up to the boxes, stage encode, which finds boxes and codes nodes and triangles, what both add to the construction \
-             of the plain tree, rendering, and a whole frame with a full rebuild. Moving the \
-             vertices onto the lattice is not included: it is done once, before anything is built. Ratios are medians over rounds in which \
-             the method and the plain tree took turns: below 1, the method is faster."
-                .into(),
-        ],
-        word_columns: 3,
-        head: vec![
-            "scene", "by", "method", "construction", "encode", "added", "rendering", "of plain", "frame",
-            "of plain", "spread",
-        ],
-        rows,
-    }
-}
-
-fn printed_times(name: &'static str, printed: &Printed) -> [Vec<String>; 3] {
-    let [nodes, triangles] = printed.compression;
-    let compression = [0.0, nodes, nodes + triangles];
-    let frames = printed.frames();
-    let methods = [Method::Plain, Method::Node, Method::NodeMesh];
-    [0, 1, 2].map(|i| {
-        vec![
-            name.to_owned(),
-            "printed".into(),
-            methods[i].name(),
-            time(printed.creation),
-            time(compression[i]),
-            percent(compression[i] / printed.creation),
-            time(printed.rendering[i]),
-            ratio(printed.rendering[i] / printed.rendering[0]),
-            time(frames[i]),
-            ratio(frames[i] / frames[0]),
-            NOTHING.into(),
-        ]
-    })
 }
 
 fn pictures(records: &[SceneRecord]) -> Table {
@@ -299,7 +208,7 @@ fn kinds(records: &[SceneRecord]) -> Table {
     }
 }
 
-fn widths(records: &[SceneRecord]) -> Table {
+fn widths(records: &[SceneRecord], place: Place) -> Table {
     let mut rows = Vec::new();
     for record in records {
         let plain = record.plain().counts.all();
@@ -312,8 +221,14 @@ fn widths(records: &[SceneRecord]) -> Table {
         for own in widths {
             let all = own.counts.all();
             let rounds = &own.rounds;
+            let or_not = |cell: String| match rounds.0.is_empty() {
+                true => CPU_ONLY.to_owned(),
+                false => cell,
+            };
             let of_plain = |of: fn(&Frame) -> f64| {
-                ratio(rounds.median(|round| of(&round.own) / of(&round.plain)))
+                or_not(ratio(
+                    rounds.median(|round| of(&round.own) / of(&round.plain)),
+                ))
             };
             rows.push(vec![
                 record.name.to_owned(),
@@ -324,23 +239,39 @@ fn widths(records: &[SceneRecord]) -> Table {
                 change(all.box_tests() / plain.box_tests()),
                 change(all.triangle_tests() / plain.triangle_tests()),
                 change(all.bytes_read() / plain.bytes_read()),
-                time(rounds.median(|round| round.own.encoding)),
+                or_not(time(rounds.median(|round| round.own.encoding))),
                 of_plain(|frame| frame.rendering),
                 count(own.differences.changed),
             ]);
         }
     }
+    let mut notes = vec![
+        "Nodes on the lattice in so many bits a plane, triangles in full: what more bits cost, and what fewer let through. Pictures must \
+         not change."
+            .to_owned(),
+    ];
+    if place.is_gpu() {
+        notes.push(
+            "CPU only: the GPU has no kernels for that many bits; what rays touch is the same on both."
+                .into(),
+        );
+    }
     Table {
         title: "How many bits".into(),
-        notes: vec![
-            "Nodes on the lattice in so many bits a plane, triangles in full: what more bits cost, and what fewer let through. Pictures must \
-             not change."
-                .into(),
-        ],
+        notes,
         word_columns: 2,
         head: vec![
-            "scene", "bits", "a node", "nodes, a triangle", "together, of plain", "box tests", "triangle tests", "bytes read",
-            "encoding, ms", "rendering, of plain", "pixels changed",
+            "scene",
+            "bits",
+            "a node",
+            "nodes, a triangle",
+            "together, of plain",
+            "box tests",
+            "triangle tests",
+            "bytes read",
+            "encoding, ms",
+            "rendering, of plain",
+            "pixels changed",
         ],
         rows,
     }

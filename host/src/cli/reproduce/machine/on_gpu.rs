@@ -167,7 +167,7 @@ impl Machine for OnGpu<'_> {
 }
 
 /// Submits a frame and waits for it. Returns the time of each stage.
-fn timed(frame: Frame) -> Result<Stages> {
+pub fn timed(frame: Frame) -> Result<Stages> {
     let name = frame.gpu().name().to_owned();
     let stages = frame.submit()?.wait()?;
     if stages.total() == Duration::ZERO {

@@ -1,0 +1,115 @@
+//! A hierarchy to the GPU's memory.
+
+use super::{Built, Bvh, Coded, Coding, NOTHING_BYTES, STATE_BYTES};
+use crate::BuildConfig;
+use crate::gpu::buffer::Range;
+use crate::gpu::{Gpu, GpuError};
+use bytemuck::{bytes_of, cast_slice};
+use slimbvh_core::encode::RootWords;
+use slimbvh_core::launch::{LANES, dispatch};
+use slimbvh_core::{Aabb, LeafTriangle, Node};
+
+/// What to do about a hierarchy that is too large.
+const TOO_LARGE: &str = "take a smaller mesh, nodes and triangles of fewer bytes, or the CPU";
+
+impl Bvh {
+    /// Copies a hierarchy to the GPU as it is, in full or in its codec: nothing is built, and the buffers have room for no more
+    /// than it has. [`Self::download`] gives back the same bytes. It is traced at once, by all frames that are submitted later;
+    /// a [`crate::gpu::Builder`] refits it where it is in full and whole, and fills it again in any case.
+    ///
+    /// # Errors
+    /// For a codec that only the CPU has, a hierarchy that was never built, and one that is larger than the GPU takes, before
+    /// anything is allocated; if memory is exhausted, or the device was lost.
+    pub fn upload(gpu: &Gpu, bvh: &crate::Bvh) -> Result<Self, GpuError> {
+        let coding = coding_of(bvh)?;
+        let [nodes, triangles] = bvh.stored();
+        if nodes.is_empty() {
+            return Err(GpuError::Unfit {
+                what: "the hierarchy",
+                fault: "is empty; build it first".into(),
+            });
+        }
+        let sizes = [
+            ("the nodes of the hierarchy", nodes.len() as u64),
+            ("the triangles of the hierarchy", triangles.len() as u64),
+        ];
+        gpu.check_sizes(&sizes, TOO_LARGE)?;
+        gpu.checked(|| {
+            let mut uploaded = Self::new();
+            uploaded.fill(gpu, bvh, coding);
+            Ok(uploaded)
+        })
+    }
+
+    /// Makes room for a hierarchy, and writes it there.
+    fn fill(&mut self, gpu: &Gpu, bvh: &crate::Bvh, coding: Option<Coding>) {
+        let [nodes, triangles] = bvh.stored();
+        let node_bytes = coding.map_or(size_of::<Node>() as u64, Coding::node_bytes);
+        // No binding can be empty.
+        let each = coding.and_then(Coding::most_triangle_bytes);
+        let room = each.unwrap_or(size_of::<LeafTriangle>() as u64);
+        let triangle_range = (self.triangles).range(gpu, room.max(triangles.len() as u64));
+        let node_range = self.nodes.range(gpu, nodes.len() as u64);
+        let node_range = node_range.touching_nodes(node_bytes);
+        let built = Built {
+            nodes: node_range.clone(),
+            triangles: triangle_range.clone(),
+            coded: coding.map(|coding| Coded {
+                coding,
+                nodes: node_range,
+                triangles: triangle_range,
+                root: self.root.range(gpu, size_of::<RootWords>() as u64),
+                word_total: self.word_total.range(gpu, STATE_BYTES),
+                nothing: self.nothing.range(gpu, NOTHING_BYTES),
+            }),
+            exponent: self.exponent.range(gpu, STATE_BYTES),
+            bounds: self.bounds.range(gpu, 24),
+            total: self.total.range(gpu, STATE_BYTES),
+            count: self.count.range(gpu, STATE_BYTES),
+            triangle_count: bvh.mesh_triangle_count() as u32,
+            is_reduced: bvh.triangle_count() < bvh.mesh_triangle_count(),
+            depth_bound: bvh.depth_bound(),
+        };
+        let write = |to: &Range, bytes: &[u8]| {
+            if !bytes.is_empty() {
+                gpu.queue().write_buffer(&to.buffer, to.offset, bytes);
+            }
+        };
+        let [node_range, triangle_range] = built.stored();
+        write(node_range, nodes);
+        write(triangle_range, triangles);
+        if let (Some(coded), Some(root)) = (&built.coded, bvh.root_words()) {
+            write(&coded.root, bytes_of(&root));
+            let words = match coded.coding.is_mixed() {
+                true => triangles.len() / 4,
+                false => 0,
+            };
+            write(&coded.word_total, bytes_of(&total(words)));
+        }
+        let bounds = bvh.bounds().unwrap_or(Aabb::EMPTY);
+        let corners = [bounds.min, bounds.max].map(|corner| corner.to_array());
+        write(&built.bounds, cast_slice(&corners));
+        let exponent = [bvh.scene_exponent(), 0, 0, 0];
+        write(&built.exponent, bytes_of(&exponent));
+        write(&built.total, bytes_of(&total(bvh.node_count())));
+        write(&built.count, bytes_of(&total(bvh.triangle_count())));
+        self.built = Some(built);
+    }
+}
+
+/// How the GPU has what is stored so.
+fn coding_of(bvh: &crate::Bvh) -> Result<Option<Coding>, GpuError> {
+    let (nodes, mesh) = bvh.codecs();
+    Coding::of(&BuildConfig {
+        nodes,
+        mesh,
+        ..BuildConfig::default()
+    })
+}
+
+/// A number, and the dispatch of a thread for each.
+fn total(count: usize) -> [u32; 4] {
+    let count = count as u32;
+    let [x, y, z] = dispatch(count.div_ceil(LANES as u32));
+    [count, x, y, z]
+}
