@@ -49,22 +49,22 @@ struct type_39 {
     member: array<type_37>,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_47 {
-    member: array<type_45>,
+struct type_46 {
+    member: array<type_44>,
 }
 
-struct type_51 {
-    member: type_43,
+struct type_50 {
+    member: type_42,
     member_1: u32,
 }
 
@@ -80,7 +80,7 @@ var<storage> global_4: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_20;
 @group(0) @binding(3) 
-var<storage> global_6: type_47;
+var<storage> global_6: type_46;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -90,410 +90,377 @@ fn function_() {
     var local_4: array<f32, 128>;
     var local_5: array<f32, 128>;
     var local_6: array<u32, 128>;
-    var local_7: array<f32, 3>;
+    var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var local_10: array<f32, 3>;
-    var local_11: array<f32, 128>;
-    var local_12: array<f32, 3>;
-    var local_13: array<f32, 3>;
-    var local_14: array<f32, 3>;
-    var local_15: array<f32, 3>;
-    var local_16: array<u32, 3>;
-    var local_17: array<u32, 3>;
-    var local_18: array<u32, 3>;
-    var local_19: array<array<f32, 3>, 3>;
-    var local_20: array<u32, 3>;
-    var local_21: array<f32, 3>;
-    var local_22: array<f32, 3>;
-    var phi_346_: i32;
-    var phi_347_: i32;
-    var phi_357_: bool;
-    var phi_367_: u32;
-    var phi_368_: u32;
-    var phi_370_: bool;
-    var phi_375_: u32;
+    var phi_327_: i32;
+    var phi_328_: i32;
+    var phi_338_: bool;
+    var phi_348_: u32;
+    var phi_349_: u32;
+    var phi_351_: bool;
+    var phi_356_: u32;
+    var phi_368_: i32;
     var phi_388_: i32;
-    var phi_408_: i32;
-    var phi_426_: f32;
-    var phi_432_: f32;
-    var phi_443_: f32;
-    var phi_449_: f32;
+    var phi_406_: f32;
+    var phi_412_: f32;
+    var phi_423_: f32;
+    var phi_429_: f32;
+    var phi_452_: f32;
+    var phi_463_: f32;
     var phi_472_: f32;
-    var phi_483_: f32;
-    var phi_492_: f32;
-    var phi_498_: f32;
-    var phi_509_: f32;
-    var phi_515_: f32;
+    var phi_478_: f32;
+    var phi_489_: f32;
+    var phi_495_: f32;
+    var phi_518_: f32;
+    var phi_529_: f32;
     var phi_538_: f32;
-    var phi_549_: f32;
-    var phi_558_: f32;
-    var phi_564_: f32;
-    var phi_575_: f32;
-    var phi_581_: f32;
-    var phi_604_: f32;
-    var phi_615_: f32;
-    var phi_715_: f32;
-    var phi_716_: f32;
-    var phi_2824_: bool;
-    var phi_789_: type_29;
-    var phi_792_: type_51;
-    var phi_794_: u32;
-    var phi_796_: bool;
-    var phi_798_: u32;
-    var phi_809_: bool;
-    var phi_895_: type_51;
-    var phi_896_: bool;
-    var phi_897_: u32;
-    var phi_1813_: type_37;
-    var phi_1822_: type_4;
-    var phi_1823_: type_4;
-    var phi_1846_: type_4;
-    var phi_2817_: bool;
-    var phi_1976_: type_4;
-    var phi_1977_: type_4;
-    var phi_2000_: type_4;
-    var phi_2877_: bool;
-    var phi_2563_: type_51;
-    var phi_2640_: type_51;
-    var phi_2641_: type_51;
-    var phi_2642_: u32;
-    var phi_2644_: type_51;
-    var phi_2645_: u32;
-    var phi_2646_: bool;
-    var phi_2653_: type_51;
-    var phi_2658_: type_51;
-    var phi_2659_: bool;
-    var phi_2894_: bool;
-    var phi_916_: type_29;
-    var phi_919_: type_4;
-    var phi_920_: type_4;
-    var phi_942_: type_4;
-    var phi_984_: u32;
-    var phi_1008_: type_45;
-    var phi_2890_: bool;
-    var phi_1019_: type_4;
-    var phi_1020_: type_4;
-    var phi_1043_: type_4;
-    var phi_1053_: type_4;
-    var phi_1054_: type_4;
-    var phi_1077_: type_4;
-    var phi_2885_: bool;
-    var phi_2898_: bool;
-    var phi_2897_: bool;
-    var phi_1640_: vec3<f32>;
-    var phi_1641_: vec3<f32>;
-    var phi_1672_: bool;
-    var phi_1681_: vec3<f32>;
-    var phi_1721_: type_18;
-    var phi_1723_: type_18;
-    var phi_1724_: bool;
-    var phi_1728_: type_18;
-    var phi_1729_: type_18;
-    var phi_1730_: type_18;
-    var phi_1731_: bool;
-    var phi_1735_: type_18;
-    var phi_1736_: bool;
-    var phi_1740_: type_18;
-    var phi_1741_: bool;
-    var phi_1745_: type_18;
+    var phi_544_: f32;
+    var phi_555_: f32;
+    var phi_561_: f32;
+    var phi_584_: f32;
+    var phi_595_: f32;
+    var phi_695_: f32;
+    var phi_696_: f32;
+    var phi_2875_: bool;
+    var phi_769_: type_29;
+    var phi_772_: type_50;
+    var phi_774_: u32;
+    var phi_776_: bool;
+    var phi_778_: u32;
+    var phi_789_: bool;
+    var phi_875_: type_50;
+    var phi_876_: bool;
+    var phi_877_: u32;
+    var phi_1827_: type_37;
+    var phi_2659_: type_50;
+    var phi_2736_: type_50;
+    var phi_2737_: type_50;
+    var phi_2738_: u32;
+    var phi_2740_: type_50;
+    var phi_2741_: u32;
+    var phi_2742_: bool;
+    var phi_2749_: type_50;
+    var phi_2754_: type_50;
+    var phi_2755_: bool;
+    var phi_896_: type_29;
+    var phi_899_: type_4;
+    var phi_900_: type_4;
+    var phi_922_: type_4;
+    var phi_947_: u32;
+    var phi_963_: type_44;
+    var phi_1669_: vec3<f32>;
+    var phi_1670_: vec3<f32>;
+    var phi_1701_: bool;
+    var phi_1710_: vec3<f32>;
+    var phi_1750_: type_18;
+    var phi_1752_: type_18;
+    var phi_1753_: bool;
+    var phi_1757_: type_18;
+    var phi_1758_: type_18;
+    var phi_1759_: type_18;
+    var phi_1760_: bool;
+    var phi_1764_: type_18;
+    var phi_1765_: bool;
+    var phi_1769_: type_18;
     var phi_1770_: bool;
-    var phi_1771_: bool;
-    var phi_1777_: type_29;
-    var phi_1778_: type_29;
-    var phi_1779_: type_29;
-    var phi_2900_: bool;
-    var phi_917_: type_29;
-    var phi_2899_: bool;
-    var phi_2962_: bool;
-    var phi_2661_: type_29;
-    var phi_2662_: type_51;
-    var phi_2663_: bool;
-    var phi_2664_: u32;
-    var phi_2961_: bool;
-    var phi_2665_: type_29;
-    var phi_2666_: type_51;
-    var phi_2667_: u32;
-    var phi_2668_: bool;
-    var phi_2669_: u32;
-    var phi_2960_: bool;
-    var phi_2670_: type_29;
-    var phi_2671_: type_51;
-    var phi_2672_: u32;
-    var phi_2673_: bool;
-    var phi_2674_: u32;
-    var phi_2959_: bool;
-    var phi_790_: type_29;
-    var phi_793_: type_51;
-    var phi_795_: u32;
-    var phi_797_: bool;
-    var phi_799_: u32;
-    var phi_2675_: bool;
-    var phi_2958_: bool;
-    var local_23: type_29;
-    var phi_2727_: type_18;
-    var local_24: type_29;
+    var phi_1774_: type_18;
+    var phi_1799_: bool;
+    var phi_1800_: bool;
+    var phi_1806_: type_29;
+    var phi_1807_: type_29;
+    var phi_1808_: type_29;
+    var phi_897_: type_29;
+    var phi_2869_: bool;
+    var phi_3005_: bool;
+    var phi_2757_: type_29;
+    var phi_2758_: type_50;
+    var phi_2759_: bool;
+    var phi_2760_: u32;
+    var phi_3004_: bool;
+    var phi_2761_: type_29;
+    var phi_2762_: type_50;
+    var phi_2763_: u32;
+    var phi_2764_: bool;
+    var phi_2765_: u32;
+    var phi_3003_: bool;
+    var phi_2766_: type_29;
+    var phi_2767_: type_50;
+    var phi_2768_: u32;
+    var phi_2769_: bool;
+    var phi_2770_: u32;
+    var phi_3002_: bool;
+    var phi_770_: type_29;
+    var phi_773_: type_50;
+    var phi_775_: u32;
+    var phi_777_: bool;
+    var phi_779_: u32;
+    var phi_2771_: bool;
+    var phi_3001_: bool;
+    var local_10: type_29;
+    var phi_2823_: type_18;
+    var local_11: type_29;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e90 = arrayLength((&global_4.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[1u][0u];
-            let _e117 = global_2.member[1u][1u];
-            let _e121 = global_2.member[1u][2u];
-            let _e125 = global_2.member[1u][3u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e139 = (_e87.x + (_e87.y * 2097152u));
-            let _e140 = (_e139 < arrayLength((&global_3.member)));
-            if _e140 {
-                let _e141 = (_e139 < arrayLength((&global_5.member)));
-                if _e141 {
-                    if _e140 {
+            let _e72 = global;
+            let _e75 = arrayLength((&global_4.member));
+            let _e86 = global_2.member[0u][0u];
+            let _e90 = global_2.member[0u][1u];
+            let _e94 = global_2.member[0u][2u];
+            let _e98 = global_2.member[1u][0u];
+            let _e102 = global_2.member[1u][1u];
+            let _e106 = global_2.member[1u][2u];
+            let _e110 = global_2.member[1u][3u];
+            let _e113 = global_1.member[0u];
+            let _e114 = bitcast<i32>(_e113);
+            let _e124 = (_e72.x + (_e72.y * 2097152u));
+            let _e125 = (_e124 < arrayLength((&global_3.member)));
+            if _e125 {
+                let _e126 = (_e124 < arrayLength((&global_5.member)));
+                if _e126 {
+                    if _e125 {
                     } else {
                         break;
                     }
-                    let _e149 = global_3.member[_e139].member_2[0u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_3.member[_e139].member_2[1u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_3.member[_e139].member_2[2u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_3.member[_e139].member[0u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_3.member[_e139].member[1u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_3.member[_e139].member[2u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e188 = select(_e158, _e151, (_e158 < _e151));
-                    let _e190 = select(_e165, _e188, (_e165 < _e188));
-                    let _e192 = select(_e172, _e190, (_e172 < _e190));
-                    let _e194 = select(_e179, _e192, (_e179 < _e192));
-                    let _e196 = select(_e186, _e194, (_e186 < _e194));
-                    let _e200 = global_3.member[_e139].member_1;
-                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                    let _e209 = global_3.member[_e139].member_3;
-                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
-                    if _e215 {
-                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
-                        if (_e218 >= 8388608u) {
-                            phi_346_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                    let _e134 = global_3.member[_e124].member_2[0u];
+                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
+                    let _e141 = global_3.member[_e124].member_2[1u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_3.member[_e124].member_2[2u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e124].member[0u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e124].member[1u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e124].member[2u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e173 = select(_e143, _e136, (_e143 < _e136));
+                    let _e175 = select(_e150, _e173, (_e150 < _e173));
+                    let _e177 = select(_e157, _e175, (_e157 < _e175));
+                    let _e179 = select(_e164, _e177, (_e164 < _e177));
+                    let _e181 = select(_e171, _e179, (_e171 < _e179));
+                    let _e185 = global_3.member[_e124].member_1;
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e194 = global_3.member[_e124].member_3;
+                    let _e200 = (((select(_e187, _e181, (_e187 < _e181)) < 2139095040u) && ((bitcast<u32>(_e194) & 2147483647u) <= 2139095040u)) && (_e175 > 0u));
+                    if _e200 {
+                        let _e203 = (bitcast<u32>(bitcast<f32>(_e175)) & 2147483647u);
+                        if (_e203 >= 8388608u) {
+                            phi_327_ = (bitcast<i32>((_e203 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_346_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_327_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e203)), 32u, (_e203 == 0u))));
                         }
-                        let _e232 = phi_346_;
-                        phi_347_ = _e232;
+                        let _e217 = phi_327_;
+                        phi_328_ = _e217;
                     } else {
-                        phi_347_ = 0i;
+                        phi_328_ = 0i;
                     }
-                    let _e234 = phi_347_;
-                    let _e235 = (_e151 == _e190);
-                    if _e235 {
-                        phi_357_ = true;
+                    let _e219 = phi_328_;
+                    let _e220 = (_e136 == _e175);
+                    if _e220 {
+                        phi_338_ = true;
                     } else {
-                        phi_357_ = (_e158 == _e190);
+                        phi_338_ = (_e143 == _e175);
                     }
-                    let _e238 = phi_357_;
-                    let _e239 = select(1u, 0u, _e235);
-                    if _e238 {
-                        let _e240 = (_e239 + 1u);
-                        phi_367_ = _e240;
-                        phi_368_ = _e240;
-                        phi_370_ = select(true, false, (_e240 == 2u));
+                    let _e223 = phi_338_;
+                    let _e224 = select(1u, 0u, _e220);
+                    if _e223 {
+                        let _e225 = (_e224 + 1u);
+                        phi_348_ = _e225;
+                        phi_349_ = _e225;
+                        phi_351_ = select(true, false, (_e225 == 2u));
                     } else {
-                        phi_367_ = u32();
-                        phi_368_ = 0u;
-                        phi_370_ = true;
+                        phi_348_ = u32();
+                        phi_349_ = 0u;
+                        phi_351_ = true;
                     }
-                    let _e244 = phi_367_;
-                    let _e246 = phi_368_;
-                    let _e248 = phi_370_;
-                    if _e248 {
-                        phi_375_ = (_e246 + 1u);
+                    let _e229 = phi_348_;
+                    let _e231 = phi_349_;
+                    let _e233 = phi_351_;
+                    if _e233 {
+                        phi_356_ = (_e231 + 1u);
                     } else {
-                        phi_375_ = 0u;
+                        phi_356_ = 0u;
                     }
-                    let _e252 = phi_375_;
-                    let _e253 = select(_e244, _e246, _e248);
-                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
-                    if (_e129 < -126i) {
+                    let _e237 = phi_356_;
+                    let _e238 = select(_e229, _e231, _e233);
+                    let _e239 = select(_e224, select(2u, _e224, _e223), _e233);
+                    if (_e114 < -126i) {
+                        phi_368_ = -126i;
+                    } else {
+                        phi_368_ = select(_e114, 127i, (_e114 > 127i));
+                    }
+                    let _e244 = phi_368_;
+                    let _e249 = bitcast<f32>((bitcast<u32>((_e244 + 127i)) << bitcast<u32>(23i)));
+                    let _e255 = bitcast<f32>((bitcast<u32>(((_e114 - _e244) + 127i)) << bitcast<u32>(23i)));
+                    let _e256 = -(_e219);
+                    if (_e256 < -126i) {
                         phi_388_ = -126i;
                     } else {
-                        phi_388_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_388_ = select(_e256, 127i, (_e256 > 127i));
                     }
-                    let _e259 = phi_388_;
-                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
-                    let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = -(_e234);
-                    if (_e271 < -126i) {
-                        phi_408_ = -126i;
+                    let _e261 = phi_388_;
+                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = bitcast<f32>((bitcast<u32>(((_e256 - _e261) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = global_3.member[_e124].member;
+                    let _e277 = (_e238 == 0u);
+                    if _e277 {
+                        phi_406_ = _e276[0];
                     } else {
-                        phi_408_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_406_ = _e276[1];
                     }
-                    let _e276 = phi_408_;
-                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = global_3.member[_e139].member;
-                    let _e292 = (_e253 == 0u);
-                    if _e292 {
-                        phi_426_ = _e291[0];
+                    let _e281 = phi_406_;
+                    let _e282 = (_e238 == 2u);
+                    if _e282 {
+                        phi_412_ = _e276[2];
                     } else {
-                        phi_426_ = _e291[1];
+                        phi_412_ = _e281;
                     }
-                    let _e296 = phi_426_;
-                    let _e297 = (_e253 == 2u);
-                    if _e297 {
-                        phi_432_ = _e291[2];
+                    let _e285 = phi_412_;
+                    let _e287 = ((_e285 * _e249) * _e255);
+                    let _e288 = global_3.member[_e124].member_2;
+                    if _e277 {
+                        phi_423_ = _e288[0];
                     } else {
-                        phi_432_ = _e296;
+                        phi_423_ = _e288[1];
                     }
-                    let _e300 = phi_432_;
-                    let _e302 = ((_e300 * _e264) * _e270);
-                    let _e303 = global_3.member[_e139].member_2;
-                    if _e292 {
-                        phi_443_ = _e303[0];
+                    let _e292 = phi_423_;
+                    if _e282 {
+                        phi_429_ = _e288[2];
                     } else {
-                        phi_443_ = _e303[1];
+                        phi_429_ = _e292;
                     }
-                    let _e307 = phi_443_;
-                    if _e297 {
-                        phi_449_ = _e303[2];
+                    let _e295 = phi_429_;
+                    let _e297 = ((_e295 * _e266) * _e272);
+                    let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e301 {
+                        let _e305 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
+                        phi_452_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
                     } else {
-                        phi_449_ = _e307;
+                        phi_452_ = 0f;
                     }
-                    let _e310 = phi_449_;
-                    let _e312 = ((_e310 * _e281) * _e287);
-                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e309 = phi_452_;
+                    let _e310 = (_e287 + _e309);
+                    let _e311 = (_e287 - _e309);
+                    let _e312 = select(_e297, 0f, _e301);
+                    if _e301 {
+                        phi_463_ = 38685626000000000000000000f;
+                    } else {
+                        phi_463_ = (1f / _e297);
+                    }
+                    let _e315 = phi_463_;
+                    let _e316 = (_e237 == 0u);
                     if _e316 {
-                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_472_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                        phi_472_ = _e276[0];
                     } else {
-                        phi_472_ = 0f;
+                        phi_472_ = _e276[1];
                     }
-                    let _e324 = phi_472_;
-                    let _e325 = (_e302 + _e324);
-                    let _e326 = (_e302 - _e324);
-                    let _e327 = select(_e312, 0f, _e316);
+                    let _e320 = phi_472_;
+                    let _e321 = (_e237 == 2u);
+                    if _e321 {
+                        phi_478_ = _e276[2];
+                    } else {
+                        phi_478_ = _e320;
+                    }
+                    let _e324 = phi_478_;
+                    let _e326 = ((_e324 * _e249) * _e255);
                     if _e316 {
-                        phi_483_ = 38685626000000000000000000f;
+                        phi_489_ = _e288[0];
                     } else {
-                        phi_483_ = (1f / _e312);
+                        phi_489_ = _e288[1];
                     }
-                    let _e330 = phi_483_;
-                    let _e331 = (_e252 == 0u);
-                    if _e331 {
-                        phi_492_ = _e291[0];
+                    let _e330 = phi_489_;
+                    if _e321 {
+                        phi_495_ = _e288[2];
                     } else {
-                        phi_492_ = _e291[1];
+                        phi_495_ = _e330;
                     }
-                    let _e335 = phi_492_;
-                    let _e336 = (_e252 == 2u);
-                    if _e336 {
-                        phi_498_ = _e291[2];
+                    let _e333 = phi_495_;
+                    let _e335 = ((_e333 * _e266) * _e272);
+                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e339 {
+                        let _e343 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
+                        phi_518_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
                     } else {
-                        phi_498_ = _e335;
+                        phi_518_ = 0f;
                     }
-                    let _e339 = phi_498_;
-                    let _e341 = ((_e339 * _e264) * _e270);
-                    if _e331 {
-                        phi_509_ = _e303[0];
+                    let _e347 = phi_518_;
+                    let _e348 = (_e326 + _e347);
+                    let _e349 = (_e326 - _e347);
+                    let _e350 = select(_e335, 0f, _e339);
+                    if _e339 {
+                        phi_529_ = 38685626000000000000000000f;
                     } else {
-                        phi_509_ = _e303[1];
+                        phi_529_ = (1f / _e335);
                     }
-                    let _e345 = phi_509_;
-                    if _e336 {
-                        phi_515_ = _e303[2];
-                    } else {
-                        phi_515_ = _e345;
-                    }
-                    let _e348 = phi_515_;
-                    let _e350 = ((_e348 * _e281) * _e287);
-                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e353 = phi_529_;
+                    let _e354 = (_e239 == 0u);
                     if _e354 {
-                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_538_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                        phi_538_ = _e276[0];
                     } else {
-                        phi_538_ = 0f;
+                        phi_538_ = _e276[1];
                     }
-                    let _e362 = phi_538_;
-                    let _e363 = (_e341 + _e362);
-                    let _e364 = (_e341 - _e362);
-                    let _e365 = select(_e350, 0f, _e354);
+                    let _e358 = phi_538_;
+                    let _e359 = (_e239 == 2u);
+                    if _e359 {
+                        phi_544_ = _e276[2];
+                    } else {
+                        phi_544_ = _e358;
+                    }
+                    let _e362 = phi_544_;
+                    let _e364 = ((_e362 * _e249) * _e255);
                     if _e354 {
-                        phi_549_ = 38685626000000000000000000f;
+                        phi_555_ = _e288[0];
                     } else {
-                        phi_549_ = (1f / _e350);
+                        phi_555_ = _e288[1];
                     }
-                    let _e368 = phi_549_;
-                    let _e369 = (_e254 == 0u);
-                    if _e369 {
-                        phi_558_ = _e291[0];
+                    let _e368 = phi_555_;
+                    if _e359 {
+                        phi_561_ = _e288[2];
                     } else {
-                        phi_558_ = _e291[1];
+                        phi_561_ = _e368;
                     }
-                    let _e373 = phi_558_;
-                    let _e374 = (_e254 == 2u);
-                    if _e374 {
-                        phi_564_ = _e291[2];
+                    let _e371 = phi_561_;
+                    let _e373 = ((_e371 * _e266) * _e272);
+                    let _e377 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e377 {
+                        let _e381 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) * 0.00000011920929f);
+                        phi_584_ = select(0.00000000000011368684f, _e381, (_e381 > 0.00000000000011368684f));
                     } else {
-                        phi_564_ = _e373;
+                        phi_584_ = 0f;
                     }
-                    let _e377 = phi_564_;
-                    let _e379 = ((_e377 * _e264) * _e270);
-                    if _e369 {
-                        phi_575_ = _e303[0];
+                    let _e385 = phi_584_;
+                    let _e386 = (_e364 + _e385);
+                    let _e387 = (_e364 - _e385);
+                    let _e388 = select(_e373, 0f, _e377);
+                    if _e377 {
+                        phi_595_ = 38685626000000000000000000f;
                     } else {
-                        phi_575_ = _e303[1];
+                        phi_595_ = (1f / _e373);
                     }
-                    let _e383 = phi_575_;
-                    if _e374 {
-                        phi_581_ = _e303[2];
+                    let _e391 = phi_595_;
+                    let _e394 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
+                    let _e397 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                    let _e399 = select(_e397, _e394, (_e394 > _e397));
+                    let _e402 = bitcast<f32>((bitcast<u32>(_e364) & 2147483647u));
+                    let _e405 = (_e114 + _e219);
+                    if (_e200 && (select(_e402, _e399, (_e399 > _e402)) <= 1099511600000f)) {
+                        let _e408 = (_e405 / 3i);
+                        let _e415 = bitcast<f32>((bitcast<u32>((_e408 + 127i)) << bitcast<u32>(23i)));
+                        let _e422 = bitcast<f32>((bitcast<u32>(((_e405 - (2i * _e408)) + 127i)) << bitcast<u32>(23i)));
+                        let _e423 = (((_e185 * _e415) * _e415) * _e422);
+                        let _e425 = select(340282350000000000000000000000000000000f, _e423, (_e423 < 340282350000000000000000000000000000000f));
+                        let _e430 = (((_e194 * _e415) * _e415) * _e422);
+                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
+                        phi_695_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
+                        phi_696_ = select(-340282350000000000000000000000000000000f, _e425, (_e425 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_581_ = _e383;
+                        phi_695_ = 0f;
+                        phi_696_ = 1f;
                     }
-                    let _e386 = phi_581_;
-                    let _e388 = ((_e386 * _e281) * _e287);
-                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e392 {
-                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_604_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
-                    } else {
-                        phi_604_ = 0f;
-                    }
-                    let _e400 = phi_604_;
-                    let _e401 = (_e379 + _e400);
-                    let _e402 = (_e379 - _e400);
-                    let _e403 = select(_e388, 0f, _e392);
-                    if _e392 {
-                        phi_615_ = 38685626000000000000000000f;
-                    } else {
-                        phi_615_ = (1f / _e388);
-                    }
-                    let _e406 = phi_615_;
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
-                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
-                    let _e414 = select(_e412, _e409, (_e409 > _e412));
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e420 = (_e129 + _e234);
-                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
-                        let _e423 = (_e420 / 3i);
-                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
-                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
-                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_715_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_716_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_715_ = 0f;
-                        phi_716_ = 1f;
-                    }
-                    let _e451 = phi_715_;
-                    let _e453 = phi_716_;
+                    let _e436 = phi_695_;
+                    let _e438 = phi_696_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -501,913 +468,733 @@ fn function_() {
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_11 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_22 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    let _e458 = (_e253 % 3u);
-                    let _e459 = (_e458 < 3u);
-                    if _e459 {
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_9 = array<f32, 3>(bitcast<f32>(_e86), bitcast<f32>(_e90), bitcast<f32>(_e94));
+                    let _e443 = (_e238 % 3u);
+                    let _e444 = (_e443 < 3u);
+                    if _e444 {
                     } else {
                         break;
                     }
-                    let _e461 = local_22[_e458];
-                    let _e462 = (_e252 % 3u);
-                    let _e463 = (_e462 < 3u);
-                    if _e463 {
+                    let _e446 = local_9[_e443];
+                    let _e447 = (_e237 % 3u);
+                    let _e448 = (_e447 < 3u);
+                    if _e448 {
                     } else {
                         break;
                     }
-                    let _e465 = local_22[_e462];
-                    let _e466 = (_e254 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    let _e450 = local_9[_e447];
+                    let _e451 = (_e239 % 3u);
+                    let _e452 = (_e451 < 3u);
+                    if _e452 {
                     } else {
                         break;
                     }
-                    let _e469 = local_22[_e466];
-                    local_21 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
-                    if _e459 {
+                    let _e454 = local_9[_e451];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e98), bitcast<f32>(_e102), bitcast<f32>(_e106));
+                    if _e444 {
                     } else {
                         break;
                     }
-                    let _e473 = local_21[_e458];
-                    if _e463 {
+                    let _e458 = local_8[_e443];
+                    if _e448 {
                     } else {
                         break;
                     }
-                    let _e475 = local_21[_e462];
-                    if _e467 {
+                    let _e460 = local_8[_e447];
+                    if _e452 {
                     } else {
                         break;
                     }
-                    let _e477 = local_21[_e466];
-                    phi_2824_ = false;
-                    phi_789_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451);
-                    phi_792_ = type_51(type_43(array<f32, 3>(_e461, _e465, _e469), array<f32, 3>(_e473, _e475, _e477)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_794_ = ((3u * _e90) + 1u);
-                    phi_796_ = (_e453 <= _e451);
-                    phi_798_ = 0u;
+                    let _e462 = local_8[_e451];
+                    phi_2875_ = false;
+                    phi_769_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e436);
+                    phi_772_ = type_50(type_42(array<f32, 3>(_e446, _e450, _e454), array<f32, 3>(_e458, _e460, _e462)), select(0u, 2147483648u, (_e75 == 0u)));
+                    phi_774_ = ((3u * _e75) + 1u);
+                    phi_776_ = (_e438 <= _e436);
+                    phi_778_ = 0u;
                     loop {
-                        let _e485 = phi_2824_;
-                        let _e487 = phi_789_;
-                        let _e489 = phi_792_;
-                        let _e491 = phi_794_;
-                        let _e493 = phi_796_;
-                        let _e495 = phi_798_;
-                        local_23 = _e487;
-                        if _e493 {
-                            phi_809_ = true;
+                        let _e470 = phi_2875_;
+                        let _e472 = phi_769_;
+                        let _e474 = phi_772_;
+                        let _e476 = phi_774_;
+                        let _e478 = phi_776_;
+                        let _e480 = phi_778_;
+                        local_10 = _e472;
+                        if _e478 {
+                            phi_789_ = true;
                         } else {
-                            phi_809_ = (_e495 > 0u);
+                            phi_789_ = (_e480 > 0u);
                         }
-                        let _e498 = phi_809_;
-                        if _e498 {
-                            let _e499 = (_e491 > 0u);
-                            if _e499 {
-                                if _e493 {
-                                    phi_895_ = _e489;
-                                    phi_896_ = _e493;
-                                    phi_897_ = _e495;
+                        let _e483 = phi_789_;
+                        if _e483 {
+                            let _e484 = (_e476 > 0u);
+                            if _e484 {
+                                if _e478 {
+                                    phi_875_ = _e474;
+                                    phi_876_ = _e478;
+                                    phi_877_ = _e480;
                                 } else {
-                                    let _e500 = (_e495 - 1u);
-                                    let _e501 = (_e500 % 128u);
-                                    let _e502 = (_e501 < 128u);
-                                    if _e502 {
+                                    let _e485 = (_e480 - 1u);
+                                    let _e486 = (_e485 % 128u);
+                                    let _e487 = (_e486 < 128u);
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e504 = local_6[_e501];
-                                    if _e502 {
+                                    let _e489 = local_6[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e506 = local_5[_e501];
-                                    if _e502 {
+                                    let _e491 = local_5[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e508 = local_4[_e501];
-                                    if _e502 {
+                                    let _e493 = local_4[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e510 = local_3[_e501];
-                                    if _e502 {
+                                    let _e495 = local_3[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e513 = local_2[_e501];
-                                    if _e502 {
+                                    let _e498 = local_2[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e515 = local_1[_e501];
-                                    if _e502 {
+                                    let _e500 = local_1[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e517 = local[_e501];
-                                    if _e502 {
+                                    let _e502 = local[_e486];
+                                    if _e487 {
                                     } else {
-                                        phi_2958_ = true;
+                                        phi_3001_ = true;
                                         break;
                                     }
-                                    let _e522 = local_11[_e501];
-                                    phi_895_ = type_51(type_43(array<f32, 3>(_e506, _e508, _e510), array<f32, 3>(_e513, _e515, _e517)), _e504);
-                                    phi_896_ = (_e522 <= _e487.member_1);
-                                    phi_897_ = _e500;
+                                    let _e507 = local_7[_e486];
+                                    phi_875_ = type_50(type_42(array<f32, 3>(_e491, _e493, _e495), array<f32, 3>(_e498, _e500, _e502)), _e489);
+                                    phi_876_ = (_e507 <= _e472.member_1);
+                                    phi_877_ = _e485;
                                 }
-                                let _e526 = phi_895_;
-                                let _e528 = phi_896_;
-                                let _e530 = phi_897_;
-                                if _e528 {
-                                    if ((_e526.member_1 & 2147483648u) != 0u) {
-                                        phi_2894_ = _e485;
-                                        phi_916_ = _e487;
-                                        phi_919_ = type_4(0u, ((_e526.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e511 = phi_875_;
+                                let _e513 = phi_876_;
+                                let _e515 = phi_877_;
+                                if _e513 {
+                                    if ((_e511.member_1 & 2147483648u) != 0u) {
+                                        phi_896_ = _e472;
+                                        phi_899_ = type_4(0u, ((_e511.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e855 = phi_2894_;
-                                            let _e857 = phi_916_;
-                                            let _e859 = phi_919_;
-                                            local_24 = _e857;
-                                            if (_e859.member < _e859.member_1) {
-                                                phi_920_ = type_4((_e859.member + 1u), _e859.member_1);
-                                                phi_942_ = type_4(1u, _e859.member);
+                                            let _e868 = phi_896_;
+                                            let _e870 = phi_899_;
+                                            local_11 = _e868;
+                                            if (_e870.member < _e870.member_1) {
+                                                phi_900_ = type_4((_e870.member + 1u), _e870.member_1);
+                                                phi_922_ = type_4(1u, _e870.member);
                                             } else {
-                                                phi_920_ = _e859;
-                                                phi_942_ = type_4(0u, type_4().member_1);
+                                                phi_900_ = _e870;
+                                                phi_922_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e872 = phi_920_;
-                                            let _e874 = phi_942_;
-                                            let _e878 = (bitcast<i32>(_e874.member) != 0i);
-                                            if _e878 {
-                                                local_8 = array<f32, 3>(_e526.member.member[0], _e526.member.member[1], _e526.member.member[2]);
-                                                local_7 = array<f32, 3>(_e526.member.member_1[0], _e526.member.member_1[1], _e526.member.member_1[2]);
-                                                let _e889 = ((_e526.member_1 & 268435455u) + _e874.member_1);
-                                                let _e890 = (_e889 < arrayLength((&global_6.member)));
-                                                if _e890 {
-                                                    if _e890 {
+                                            let _e883 = phi_900_;
+                                            let _e885 = phi_922_;
+                                            let _e889 = (bitcast<i32>(_e885.member) != 0i);
+                                            if _e889 {
+                                                let _e890 = ((_e511.member_1 & 268435455u) + _e885.member_1);
+                                                let _e891 = (_e890 < arrayLength((&global_6.member)));
+                                                if _e891 {
+                                                    if _e891 {
                                                     } else {
-                                                        phi_2899_ = true;
+                                                        phi_2869_ = true;
                                                         break;
                                                     }
-                                                    let _e893 = global_6.member[_e889].member_1;
-                                                    phi_984_ = _e893;
+                                                    let _e894 = global_6.member[_e890].member_1;
+                                                    phi_947_ = _e894;
                                                 } else {
-                                                    phi_984_ = 4294967295u;
+                                                    phi_947_ = 4294967295u;
                                                 }
-                                                let _e895 = phi_984_;
-                                                local_18 = array<u32, 3>(_e253, _e252, _e254);
-                                                if _e890 {
-                                                    if _e890 {
+                                                let _e896 = phi_947_;
+                                                if _e891 {
+                                                    if _e891 {
                                                     } else {
-                                                        phi_2899_ = true;
+                                                        phi_2869_ = true;
                                                         break;
                                                     }
-                                                    let _e898 = global_6.member[_e889];
-                                                    phi_1008_ = _e898;
+                                                    let _e898 = global_6.member[_e890];
+                                                    phi_963_ = _e898;
                                                 } else {
-                                                    phi_1008_ = type_45(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_963_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e900 = phi_1008_;
-                                                local_20 = array<u32, 3>(_e900.member[0], _e900.member[1], _e900.member[2]);
-                                                local_19[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_19[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_19[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_2890_ = _e855;
-                                                phi_1019_ = type_4(0u, 3u);
-                                                loop {
-                                                    let _e910 = phi_2890_;
-                                                    let _e912 = phi_1019_;
-                                                    if (_e912.member < _e912.member_1) {
-                                                        phi_1020_ = type_4((_e912.member + 1u), _e912.member_1);
-                                                        phi_1043_ = type_4(1u, _e912.member);
+                                                let _e900 = phi_963_;
+                                                let _e912 = ((10u * _e238) & 31u);
+                                                let _e915 = ((_e900.member[0] >> bitcast<u32>(_e912)) & 1023u);
+                                                let _e920 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e110));
+                                                let _e926 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e915) * _e920)) ^ _e110)));
+                                                let _e930 = select(select(_e511.member.member_1[0], _e926, (_e926 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e915 == 1023u));
+                                                let _e932 = ((10u * _e237) & 31u);
+                                                let _e935 = ((_e900.member[0] >> bitcast<u32>(_e932)) & 1023u);
+                                                let _e940 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e110));
+                                                let _e946 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e935) * _e940)) ^ _e110)));
+                                                let _e950 = select(select(_e511.member.member_1[1], _e946, (_e946 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e935 == 1023u));
+                                                let _e952 = ((10u * _e239) & 31u);
+                                                let _e955 = ((_e900.member[0] >> bitcast<u32>(_e952)) & 1023u);
+                                                let _e960 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e110));
+                                                let _e966 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e955) * _e960)) ^ _e110)));
+                                                let _e970 = select(select(_e511.member.member_1[2], _e966, (_e966 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e955 == 1023u));
+                                                let _e974 = ((_e900.member[1] >> bitcast<u32>(_e912)) & 1023u);
+                                                let _e980 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e974) * _e920)) ^ _e110)));
+                                                let _e984 = select(select(_e511.member.member_1[0], _e980, (_e980 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e974 == 1023u));
+                                                let _e987 = ((_e900.member[1] >> bitcast<u32>(_e932)) & 1023u);
+                                                let _e993 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e987) * _e940)) ^ _e110)));
+                                                let _e997 = select(select(_e511.member.member_1[1], _e993, (_e993 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e987 == 1023u));
+                                                let _e1000 = ((_e900.member[1] >> bitcast<u32>(_e952)) & 1023u);
+                                                let _e1006 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1000) * _e960)) ^ _e110)));
+                                                let _e1010 = select(select(_e511.member.member_1[2], _e1006, (_e1006 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1000 == 1023u));
+                                                let _e1014 = ((_e900.member[2] >> bitcast<u32>(_e912)) & 1023u);
+                                                let _e1020 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1014) * _e920)) ^ _e110)));
+                                                let _e1024 = select(select(_e511.member.member_1[0], _e1020, (_e1020 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e1014 == 1023u));
+                                                let _e1027 = ((_e900.member[2] >> bitcast<u32>(_e932)) & 1023u);
+                                                let _e1033 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1027) * _e940)) ^ _e110)));
+                                                let _e1037 = select(select(_e511.member.member_1[1], _e1033, (_e1033 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e1027 == 1023u));
+                                                let _e1040 = ((_e900.member[2] >> bitcast<u32>(_e952)) & 1023u);
+                                                let _e1046 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1040) * _e960)) ^ _e110)));
+                                                let _e1050 = select(select(_e511.member.member_1[2], _e1046, (_e1046 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1040 == 1023u));
+                                                let _e1054 = (_e970 - _e364);
+                                                let _e1057 = (((_e930 - _e287) * _e388) - (_e1054 * _e312));
+                                                let _e1060 = (((_e950 - _e326) * _e388) - (_e1054 * _e350));
+                                                let _e1063 = (_e1010 - _e364);
+                                                let _e1066 = (((_e984 - _e287) * _e388) - (_e1063 * _e312));
+                                                let _e1069 = (((_e997 - _e326) * _e388) - (_e1063 * _e350));
+                                                let _e1072 = (_e1050 - _e364);
+                                                let _e1075 = (((_e1024 - _e287) * _e388) - (_e1072 * _e312));
+                                                let _e1078 = (((_e1037 - _e326) * _e388) - (_e1072 * _e350));
+                                                let _e1079 = (_e1075 * _e1069);
+                                                let _e1080 = (_e1078 * _e1066);
+                                                let _e1081 = (_e1057 * _e1078);
+                                                let _e1082 = (_e1060 * _e1075);
+                                                let _e1083 = (_e1066 * _e1060);
+                                                let _e1084 = (_e1069 * _e1057);
+                                                let _e1089 = (((_e1079 >= _e1080) && (_e1081 >= _e1082)) && (_e1083 >= _e1084));
+                                                if (_e1089 || (((_e1079 <= _e1080) && (_e1081 <= _e1082)) && (_e1083 <= _e1084))) {
+                                                    let _e1096 = select(-1f, 1f, _e1089);
+                                                    let _e1098 = ((_e1079 - _e1080) * _e1096);
+                                                    let _e1100 = select(0f, _e1098, (_e1098 > 0f));
+                                                    let _e1102 = ((_e1081 - _e1082) * _e1096);
+                                                    let _e1104 = select(0f, _e1102, (_e1102 > 0f));
+                                                    let _e1106 = ((_e1083 - _e1084) * _e1096);
+                                                    let _e1108 = select(0f, _e1106, (_e1106 > 0f));
+                                                    let _e1110 = ((_e1100 + _e1104) + _e1108);
+                                                    if (_e1110 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1764_ = type_18();
+                                                        phi_1765_ = true;
                                                     } else {
-                                                        phi_1020_ = _e912;
-                                                        phi_1043_ = type_4(0u, type_4().member_1);
-                                                    }
-                                                    let _e925 = phi_1020_;
-                                                    let _e927 = phi_1043_;
-                                                    let _e931 = (bitcast<i32>(_e927.member) != 0i);
-                                                    if _e931 {
-                                                        phi_1053_ = type_4(0u, 3u);
-                                                        loop {
-                                                            let _e933 = phi_1053_;
-                                                            if (_e933.member < _e933.member_1) {
-                                                                phi_1054_ = type_4((_e933.member + 1u), _e933.member_1);
-                                                                phi_1077_ = type_4(1u, _e933.member);
-                                                            } else {
-                                                                phi_1054_ = _e933;
-                                                                phi_1077_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e946 = phi_1054_;
-                                                            let _e948 = phi_1077_;
-                                                            let _e952 = (bitcast<i32>(_e948.member) != 0i);
-                                                            if _e952 {
-                                                                let _e953 = (_e927.member_1 < 3u);
-                                                                if _e953 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e955 = local_20[_e927.member_1];
-                                                                let _e956 = (_e948.member_1 < 3u);
-                                                                if _e956 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e958 = local_18[_e948.member_1];
-                                                                let _e963 = ((_e955 >> bitcast<u32>(((10u * _e958) & 31u))) & 1023u);
-                                                                if _e956 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e965 = local_8[_e948.member_1];
-                                                                if _e956 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e967 = local_7[_e948.member_1];
-                                                                let _e978 = (_e965 + bitcast<f32>((bitcast<u32>((f32(_e963) * bitcast<f32>((bitcast<u32>(((_e967 - _e965) * 0.0009775171f)) ^ _e125)))) ^ _e125)));
-                                                                if _e953 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e956 {
-                                                                } else {
-                                                                    phi_2885_ = true;
-                                                                    break;
-                                                                }
-                                                                local_19[_e927.member_1][_e948.member_1] = select(select(_e967, _e978, (_e978 < _e967)), _e967, (_e963 == 1023u));
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1053_ = _e946;
-                                                                phi_2885_ = _e910;
-                                                                break if !(_e952);
-                                                            }
-                                                        }
-                                                        let _e987 = phi_2885_;
-                                                        phi_2897_ = _e987;
-                                                        if _e987 {
-                                                            break;
-                                                        }
-                                                        phi_2898_ = _e987;
-                                                    } else {
-                                                        phi_2898_ = _e910;
-                                                    }
-                                                    let _e989 = phi_2898_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2890_ = _e989;
-                                                        phi_1019_ = _e925;
-                                                        phi_2897_ = _e989;
-                                                        break if !(_e931);
-                                                    }
-                                                }
-                                                let _e992 = phi_2897_;
-                                                phi_2899_ = _e992;
-                                                if _e992 {
-                                                    break;
-                                                }
-                                                let _e993 = local_19;
-                                                let _e1009 = (_e993[0][2] - _e379);
-                                                let _e1012 = (((_e993[0][0] - _e302) * _e403) - (_e1009 * _e327));
-                                                let _e1015 = (((_e993[0][1] - _e341) * _e403) - (_e1009 * _e365));
-                                                let _e1018 = (_e993[1][2] - _e379);
-                                                let _e1021 = (((_e993[1][0] - _e302) * _e403) - (_e1018 * _e327));
-                                                let _e1024 = (((_e993[1][1] - _e341) * _e403) - (_e1018 * _e365));
-                                                let _e1027 = (_e993[2][2] - _e379);
-                                                let _e1030 = (((_e993[2][0] - _e302) * _e403) - (_e1027 * _e327));
-                                                let _e1033 = (((_e993[2][1] - _e341) * _e403) - (_e1027 * _e365));
-                                                let _e1034 = (_e1030 * _e1024);
-                                                let _e1035 = (_e1033 * _e1021);
-                                                let _e1036 = (_e1012 * _e1033);
-                                                let _e1037 = (_e1015 * _e1030);
-                                                let _e1038 = (_e1021 * _e1015);
-                                                let _e1039 = (_e1024 * _e1012);
-                                                let _e1044 = (((_e1034 >= _e1035) && (_e1036 >= _e1037)) && (_e1038 >= _e1039));
-                                                if (_e1044 || (((_e1034 <= _e1035) && (_e1036 <= _e1037)) && (_e1038 <= _e1039))) {
-                                                    let _e1051 = select(-1f, 1f, _e1044);
-                                                    let _e1053 = ((_e1034 - _e1035) * _e1051);
-                                                    let _e1055 = select(0f, _e1053, (_e1053 > 0f));
-                                                    let _e1057 = ((_e1036 - _e1037) * _e1051);
-                                                    let _e1059 = select(0f, _e1057, (_e1057 > 0f));
-                                                    let _e1061 = ((_e1038 - _e1039) * _e1051);
-                                                    let _e1063 = select(0f, _e1061, (_e1061 > 0f));
-                                                    let _e1065 = ((_e1055 + _e1059) + _e1063);
-                                                    if (_e1065 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1735_ = type_18();
-                                                        phi_1736_ = true;
-                                                    } else {
-                                                        let _e1068 = select(_e993[1][0], _e993[0][0], (_e993[0][0] < _e993[1][0]));
-                                                        let _e1072 = select(_e993[1][0], _e993[0][0], (_e993[0][0] > _e993[1][0]));
-                                                        let _e1076 = select(_e993[1][1], _e993[0][1], (_e993[0][1] < _e993[1][1]));
-                                                        let _e1080 = select(_e993[1][1], _e993[0][1], (_e993[0][1] > _e993[1][1]));
-                                                        let _e1084 = select(_e993[1][2], _e993[0][2], (_e993[0][2] < _e993[1][2]));
-                                                        let _e1088 = select(_e993[1][2], _e993[0][2], (_e993[0][2] > _e993[1][2]));
-                                                        let _e1093 = ((select(_e993[2][0], _e1068, (_e1068 < _e993[2][0])) - _e325) * _e330);
-                                                        let _e1094 = ((select(_e993[2][0], _e1072, (_e1072 > _e993[2][0])) - _e326) * _e330);
-                                                        let _e1097 = ((select(_e993[2][1], _e1076, (_e1076 < _e993[2][1])) - _e363) * _e368);
-                                                        let _e1098 = ((select(_e993[2][1], _e1080, (_e1080 > _e993[2][1])) - _e364) * _e368);
-                                                        let _e1101 = ((select(_e993[2][2], _e1084, (_e1084 < _e993[2][2])) - _e401) * _e406);
-                                                        let _e1102 = ((select(_e993[2][2], _e1088, (_e1088 > _e993[2][2])) - _e402) * _e406);
-                                                        let _e1104 = select(_e1102, _e1101, (_e1101 < _e1102));
-                                                        let _e1106 = select(_e1102, _e1101, (_e1101 > _e1102));
-                                                        let _e1108 = select(_e1094, _e1093, (_e1093 < _e1094));
-                                                        let _e1110 = select(_e1098, _e1097, (_e1097 < _e1098));
-                                                        let _e1112 = select(_e1110, _e1108, (_e1108 > _e1110));
-                                                        let _e1114 = select(_e1104, _e1112, (_e1112 > _e1104));
-                                                        let _e1116 = select(_e1094, _e1093, (_e1093 > _e1094));
-                                                        let _e1118 = select(_e1098, _e1097, (_e1097 > _e1098));
-                                                        let _e1120 = select(_e1118, _e1116, (_e1116 < _e1118));
-                                                        let _e1122 = select(_e1106, _e1120, (_e1120 < _e1106));
-                                                        let _e1123 = -(_e1104);
-                                                        let _e1129 = select(_e453, _e1114, (_e1114 > _e453));
-                                                        if (_e1129 > (_e1122 + (select(_e1123, _e1106, (_e1106 > _e1123)) * 0.0000019073523f))) {
-                                                            phi_1730_ = type_18();
-                                                            phi_1731_ = true;
+                                                        let _e1113 = select(_e984, _e930, (_e930 < _e984));
+                                                        let _e1117 = select(_e984, _e930, (_e930 > _e984));
+                                                        let _e1121 = select(_e997, _e950, (_e950 < _e997));
+                                                        let _e1125 = select(_e997, _e950, (_e950 > _e997));
+                                                        let _e1129 = select(_e1010, _e970, (_e970 < _e1010));
+                                                        let _e1133 = select(_e1010, _e970, (_e970 > _e1010));
+                                                        let _e1138 = ((select(_e1024, _e1113, (_e1113 < _e1024)) - _e310) * _e315);
+                                                        let _e1139 = ((select(_e1024, _e1117, (_e1117 > _e1024)) - _e311) * _e315);
+                                                        let _e1142 = ((select(_e1037, _e1121, (_e1121 < _e1037)) - _e348) * _e353);
+                                                        let _e1143 = ((select(_e1037, _e1125, (_e1125 > _e1037)) - _e349) * _e353);
+                                                        let _e1146 = ((select(_e1050, _e1129, (_e1129 < _e1050)) - _e386) * _e391);
+                                                        let _e1147 = ((select(_e1050, _e1133, (_e1133 > _e1050)) - _e387) * _e391);
+                                                        let _e1149 = select(_e1147, _e1146, (_e1146 < _e1147));
+                                                        let _e1151 = select(_e1147, _e1146, (_e1146 > _e1147));
+                                                        let _e1153 = select(_e1139, _e1138, (_e1138 < _e1139));
+                                                        let _e1155 = select(_e1143, _e1142, (_e1142 < _e1143));
+                                                        let _e1157 = select(_e1155, _e1153, (_e1153 > _e1155));
+                                                        let _e1159 = select(_e1149, _e1157, (_e1157 > _e1149));
+                                                        let _e1161 = select(_e1139, _e1138, (_e1138 > _e1139));
+                                                        let _e1163 = select(_e1143, _e1142, (_e1142 > _e1143));
+                                                        let _e1165 = select(_e1163, _e1161, (_e1161 < _e1163));
+                                                        let _e1167 = select(_e1151, _e1165, (_e1165 < _e1151));
+                                                        let _e1168 = -(_e1149);
+                                                        let _e1174 = select(_e438, _e1159, (_e1159 > _e438));
+                                                        if (_e1174 > (_e1167 + (select(_e1168, _e1151, (_e1151 > _e1168)) * 0.0000019073523f))) {
+                                                            phi_1759_ = type_18();
+                                                            phi_1760_ = true;
                                                         } else {
-                                                            let _e1131 = (_e1129 > _e857.member_1);
-                                                            if _e1131 {
-                                                                phi_1729_ = type_18();
+                                                            let _e1176 = (_e1174 > _e868.member_1);
+                                                            if _e1176 {
+                                                                phi_1758_ = type_18();
                                                             } else {
-                                                                let _e1135 = (_e993[1][0] - _e993[0][0]);
-                                                                let _e1136 = (_e993[1][1] - _e993[0][1]);
-                                                                let _e1137 = (_e993[1][2] - _e993[0][2]);
-                                                                let _e1138 = vec3<f32>(_e1135, _e1136, _e1137);
-                                                                let _e1139 = (_e993[2][0] - _e993[1][0]);
-                                                                let _e1140 = (_e993[2][1] - _e993[1][1]);
-                                                                let _e1141 = (_e993[2][2] - _e993[1][2]);
-                                                                let _e1142 = vec3<f32>(_e1139, _e1140, _e1141);
-                                                                let _e1143 = (_e993[0][0] - _e993[2][0]);
-                                                                let _e1144 = (_e993[0][1] - _e993[2][1]);
-                                                                let _e1145 = (_e993[0][2] - _e993[2][2]);
-                                                                let _e1146 = vec3<f32>(_e1143, _e1144, _e1145);
-                                                                let _e1149 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                let _e1152 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
-                                                                let _e1157 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
-                                                                let _e1162 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
-                                                                let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
-                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
-                                                                let _e1175 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
-                                                                let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
-                                                                let _e1183 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
-                                                                let _e1187 = select(_e1172, _e1159, (_e1159 > _e1172));
-                                                                let _e1189 = select(_e1185, _e1187, (_e1187 > _e1185));
-                                                                if (_e1159 == _e1189) {
-                                                                    phi_1640_ = _e1142;
-                                                                    phi_1641_ = _e1146;
+                                                                let _e1180 = (_e984 - _e930);
+                                                                let _e1181 = (_e997 - _e950);
+                                                                let _e1182 = (_e1010 - _e970);
+                                                                let _e1183 = vec3<f32>(_e1180, _e1181, _e1182);
+                                                                let _e1184 = (_e1024 - _e984);
+                                                                let _e1185 = (_e1037 - _e997);
+                                                                let _e1186 = (_e1050 - _e1010);
+                                                                let _e1187 = vec3<f32>(_e1184, _e1185, _e1186);
+                                                                let _e1188 = (_e930 - _e1024);
+                                                                let _e1189 = (_e950 - _e1037);
+                                                                let _e1190 = (_e970 - _e1050);
+                                                                let _e1191 = vec3<f32>(_e1188, _e1189, _e1190);
+                                                                let _e1194 = bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u));
+                                                                let _e1197 = bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u));
+                                                                let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
+                                                                let _e1202 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
+                                                                let _e1204 = select(_e1202, _e1199, (_e1199 > _e1202));
+                                                                let _e1207 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
+                                                                let _e1210 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
+                                                                let _e1212 = select(_e1210, _e1207, (_e1207 > _e1210));
+                                                                let _e1215 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
+                                                                let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
+                                                                let _e1220 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
+                                                                let _e1223 = bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u));
+                                                                let _e1225 = select(_e1223, _e1220, (_e1220 > _e1223));
+                                                                let _e1228 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
+                                                                let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
+                                                                let _e1232 = select(_e1217, _e1204, (_e1204 > _e1217));
+                                                                let _e1234 = select(_e1230, _e1232, (_e1232 > _e1230));
+                                                                if (_e1204 == _e1234) {
+                                                                    phi_1669_ = _e1187;
+                                                                    phi_1670_ = _e1191;
                                                                 } else {
-                                                                    let _e1192 = vec3((_e1172 == _e1189));
-                                                                    phi_1640_ = select(_e1138, _e1146, _e1192);
-                                                                    phi_1641_ = select(_e1142, _e1138, _e1192);
+                                                                    let _e1237 = vec3((_e1217 == _e1234));
+                                                                    phi_1669_ = select(_e1183, _e1191, _e1237);
+                                                                    phi_1670_ = select(_e1187, _e1183, _e1237);
                                                                 }
-                                                                let _e1196 = phi_1640_;
-                                                                let _e1198 = phi_1641_;
-                                                                let _e1205 = ((_e1196.y * _e1198.z) - (_e1198.y * _e1196.z));
-                                                                let _e1210 = ((_e1196.z * _e1198.x) - (_e1198.z * _e1196.x));
-                                                                let _e1213 = ((_e1196.x * _e1198.y) - (_e1198.x * _e1196.y));
-                                                                if (_e1055 >= _e1059) {
-                                                                    phi_1672_ = select(true, false, (_e1055 >= _e1063));
+                                                                let _e1241 = phi_1669_;
+                                                                let _e1243 = phi_1670_;
+                                                                let _e1250 = ((_e1241.y * _e1243.z) - (_e1243.y * _e1241.z));
+                                                                let _e1255 = ((_e1241.z * _e1243.x) - (_e1243.z * _e1241.x));
+                                                                let _e1258 = ((_e1241.x * _e1243.y) - (_e1243.x * _e1241.y));
+                                                                if (_e1100 >= _e1104) {
+                                                                    phi_1701_ = select(true, false, (_e1100 >= _e1108));
                                                                 } else {
-                                                                    phi_1672_ = true;
+                                                                    phi_1701_ = true;
                                                                 }
-                                                                let _e1218 = phi_1672_;
-                                                                if _e1218 {
-                                                                    phi_1681_ = select(vec3<f32>(_e993[2][0], _e993[2][1], _e993[2][2]), vec3<f32>(_e993[1][0], _e993[1][1], _e993[1][2]), vec3((_e1059 >= _e1063)));
+                                                                let _e1263 = phi_1701_;
+                                                                if _e1263 {
+                                                                    phi_1710_ = select(vec3<f32>(_e1024, _e1037, _e1050), vec3<f32>(_e984, _e997, _e1010), vec3((_e1104 >= _e1108)));
                                                                 } else {
-                                                                    phi_1681_ = vec3<f32>(_e993[0][0], _e993[0][1], _e993[0][2]);
+                                                                    phi_1710_ = vec3<f32>(_e930, _e950, _e970);
                                                                 }
-                                                                let _e1223 = phi_1681_;
-                                                                let _e1240 = ((((_e1205 * (_e1223.x - _e302)) + (_e1210 * (_e1223.y - _e341))) + (_e1213 * (_e1223.z - _e379))) / (((_e1205 * _e327) + (_e1210 * _e365)) + (_e1213 * _e403)));
-                                                                let _e1242 = select(_e1122, _e1240, (_e1240 < _e1122));
-                                                                let _e1244 = select(_e1114, _e1242, (_e1242 > _e1114));
-                                                                if (_e1244 >= _e453) {
-                                                                    let _e1246 = (_e1244 <= _e857.member_1);
-                                                                    if _e1246 {
-                                                                        let _e1247 = (1f / _e1065);
-                                                                        phi_1721_ = type_18(_e1244, (_e1059 * _e1247), (_e1063 * _e1247), _e895);
+                                                                let _e1268 = phi_1710_;
+                                                                let _e1285 = ((((_e1250 * (_e1268.x - _e287)) + (_e1255 * (_e1268.y - _e326))) + (_e1258 * (_e1268.z - _e364))) / (((_e1250 * _e312) + (_e1255 * _e350)) + (_e1258 * _e388)));
+                                                                let _e1287 = select(_e1167, _e1285, (_e1285 < _e1167));
+                                                                let _e1289 = select(_e1159, _e1287, (_e1287 > _e1159));
+                                                                if (_e1289 >= _e438) {
+                                                                    let _e1291 = (_e1289 <= _e868.member_1);
+                                                                    if _e1291 {
+                                                                        let _e1292 = (1f / _e1110);
+                                                                        phi_1750_ = type_18(_e1289, (_e1104 * _e1292), (_e1108 * _e1292), _e896);
                                                                     } else {
-                                                                        phi_1721_ = type_18();
+                                                                        phi_1750_ = type_18();
                                                                     }
-                                                                    let _e1252 = phi_1721_;
-                                                                    phi_1723_ = _e1252;
-                                                                    phi_1724_ = select(true, false, _e1246);
+                                                                    let _e1297 = phi_1750_;
+                                                                    phi_1752_ = _e1297;
+                                                                    phi_1753_ = select(true, false, _e1291);
                                                                 } else {
-                                                                    phi_1723_ = type_18();
-                                                                    phi_1724_ = true;
+                                                                    phi_1752_ = type_18();
+                                                                    phi_1753_ = true;
                                                                 }
-                                                                let _e1255 = phi_1723_;
-                                                                let _e1257 = phi_1724_;
-                                                                if _e1257 {
-                                                                    phi_1728_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1300 = phi_1752_;
+                                                                let _e1302 = phi_1753_;
+                                                                if _e1302 {
+                                                                    phi_1757_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1728_ = _e1255;
+                                                                    phi_1757_ = _e1300;
                                                                 }
-                                                                let _e1259 = phi_1728_;
-                                                                phi_1729_ = _e1259;
+                                                                let _e1304 = phi_1757_;
+                                                                phi_1758_ = _e1304;
                                                             }
-                                                            let _e1261 = phi_1729_;
-                                                            phi_1730_ = _e1261;
-                                                            phi_1731_ = _e1131;
+                                                            let _e1306 = phi_1758_;
+                                                            phi_1759_ = _e1306;
+                                                            phi_1760_ = _e1176;
                                                         }
-                                                        let _e1263 = phi_1730_;
-                                                        let _e1265 = phi_1731_;
-                                                        phi_1735_ = _e1263;
-                                                        phi_1736_ = _e1265;
+                                                        let _e1308 = phi_1759_;
+                                                        let _e1310 = phi_1760_;
+                                                        phi_1764_ = _e1308;
+                                                        phi_1765_ = _e1310;
                                                     }
-                                                    let _e1267 = phi_1735_;
-                                                    let _e1269 = phi_1736_;
-                                                    phi_1740_ = _e1267;
-                                                    phi_1741_ = _e1269;
+                                                    let _e1312 = phi_1764_;
+                                                    let _e1314 = phi_1765_;
+                                                    phi_1769_ = _e1312;
+                                                    phi_1770_ = _e1314;
                                                 } else {
-                                                    phi_1740_ = type_18();
-                                                    phi_1741_ = true;
+                                                    phi_1769_ = type_18();
+                                                    phi_1770_ = true;
                                                 }
-                                                let _e1271 = phi_1740_;
-                                                let _e1273 = phi_1741_;
-                                                if _e1273 {
-                                                    phi_1745_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1316 = phi_1769_;
+                                                let _e1318 = phi_1770_;
+                                                if _e1318 {
+                                                    phi_1774_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1745_ = _e1271;
+                                                    phi_1774_ = _e1316;
                                                 }
-                                                let _e1275 = phi_1745_;
-                                                if (_e1275.member_3 != 4294967295u) {
-                                                    if (_e895 != 4294967295u) {
-                                                        if (_e1275.member < _e857.member.member) {
-                                                            phi_1771_ = true;
+                                                let _e1320 = phi_1774_;
+                                                if (_e1320.member_3 != 4294967295u) {
+                                                    if (_e896 != 4294967295u) {
+                                                        if (_e1320.member < _e868.member.member) {
+                                                            phi_1800_ = true;
                                                         } else {
-                                                            if (_e1275.member == _e857.member.member) {
-                                                                phi_1770_ = (_e1275.member_3 < _e857.member.member_3);
+                                                            if (_e1320.member == _e868.member.member) {
+                                                                phi_1799_ = (_e1320.member_3 < _e868.member.member_3);
                                                             } else {
-                                                                phi_1770_ = false;
+                                                                phi_1799_ = false;
                                                             }
-                                                            let _e1288 = phi_1770_;
-                                                            phi_1771_ = _e1288;
+                                                            let _e1333 = phi_1799_;
+                                                            phi_1800_ = _e1333;
                                                         }
-                                                        let _e1290 = phi_1771_;
-                                                        if _e1290 {
-                                                            phi_1777_ = type_29(_e1275, _e1275.member);
+                                                        let _e1335 = phi_1800_;
+                                                        if _e1335 {
+                                                            phi_1806_ = type_29(_e1320, _e1320.member);
                                                         } else {
-                                                            phi_1777_ = _e857;
+                                                            phi_1806_ = _e868;
                                                         }
-                                                        let _e1293 = phi_1777_;
-                                                        phi_1778_ = _e1293;
+                                                        let _e1338 = phi_1806_;
+                                                        phi_1807_ = _e1338;
                                                     } else {
-                                                        phi_1778_ = _e857;
+                                                        phi_1807_ = _e868;
                                                     }
-                                                    let _e1295 = phi_1778_;
-                                                    phi_1779_ = _e1295;
+                                                    let _e1340 = phi_1807_;
+                                                    phi_1808_ = _e1340;
                                                 } else {
-                                                    phi_1779_ = _e857;
+                                                    phi_1808_ = _e868;
                                                 }
-                                                let _e1297 = phi_1779_;
-                                                phi_2900_ = _e992;
-                                                phi_917_ = _e1297;
+                                                let _e1342 = phi_1808_;
+                                                phi_897_ = _e1342;
                                             } else {
-                                                phi_2900_ = _e855;
-                                                phi_917_ = type_29();
+                                                phi_897_ = type_29();
                                             }
-                                            let _e1299 = phi_2900_;
-                                            let _e1301 = phi_917_;
+                                            let _e1344 = phi_897_;
                                             continue;
                                             continuing {
-                                                phi_2894_ = _e1299;
-                                                phi_916_ = _e1301;
-                                                phi_919_ = _e872;
-                                                phi_2899_ = _e1299;
-                                                break if !(_e878);
+                                                phi_896_ = _e1344;
+                                                phi_899_ = _e883;
+                                                phi_2869_ = _e470;
+                                                break if !(_e889);
                                             }
                                         }
-                                        let _e1304 = phi_2899_;
-                                        phi_2958_ = _e1304;
-                                        if _e1304 {
+                                        let _e1347 = phi_2869_;
+                                        phi_3001_ = _e1347;
+                                        if _e1347 {
                                             break;
                                         }
-                                        phi_2962_ = _e1304;
-                                        let _e1492 = local_24;
-                                        phi_2661_ = _e1492;
-                                        phi_2662_ = _e526;
-                                        phi_2663_ = false;
-                                        phi_2664_ = _e530;
+                                        phi_3005_ = _e1347;
+                                        let _e1515 = local_11;
+                                        phi_2757_ = _e1515;
+                                        phi_2758_ = _e511;
+                                        phi_2759_ = false;
+                                        phi_2760_ = _e515;
                                     } else {
-                                        local_10 = array<f32, 3>(_e526.member.member[0], _e526.member.member[1], _e526.member.member[2]);
-                                        local_9 = array<f32, 3>(_e526.member.member_1[0], _e526.member.member_1[1], _e526.member.member_1[2]);
-                                        let _e550 = (_e526.member_1 < _e90);
-                                        if _e550 {
-                                            if _e550 {
+                                        let _e525 = (_e511.member_1 < _e75);
+                                        if _e525 {
+                                            if _e525 {
                                             } else {
-                                                phi_2958_ = true;
+                                                phi_3001_ = true;
                                                 break;
                                             }
-                                            let _e552 = global_4.member[_e526.member_1];
-                                            phi_1813_ = _e552;
+                                            let _e527 = global_4.member[_e511.member_1];
+                                            phi_1827_ = _e527;
                                         } else {
-                                            phi_1813_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1827_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e554 = phi_1813_;
-                                        let _e556 = array<u32, 3>(_e253, _e252, _e254);
-                                        local_17 = _e556;
-                                        local_13 = array<f32, 3>(0f, 0f, 0f);
-                                        local_12 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1822_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e558 = phi_1822_;
-                                            if (_e558.member < _e558.member_1) {
-                                                phi_1823_ = type_4((_e558.member + 1u), _e558.member_1);
-                                                phi_1846_ = type_4(1u, _e558.member);
+                                        let _e529 = phi_1827_;
+                                        let _e544 = ((10u * _e238) & 31u);
+                                        let _e547 = ((_e529.member[0] >> bitcast<u32>(_e544)) & 1023u);
+                                        let _e552 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e110));
+                                        let _e558 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e547) * _e552)) ^ _e110)));
+                                        let _e562 = select(select(_e511.member.member_1[0], _e558, (_e558 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e547 == 1023u));
+                                        let _e564 = ((10u * _e237) & 31u);
+                                        let _e567 = ((_e529.member[0] >> bitcast<u32>(_e564)) & 1023u);
+                                        let _e572 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e110));
+                                        let _e578 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e567) * _e572)) ^ _e110)));
+                                        let _e582 = select(select(_e511.member.member_1[1], _e578, (_e578 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e567 == 1023u));
+                                        let _e584 = ((10u * _e239) & 31u);
+                                        let _e587 = ((_e529.member[0] >> bitcast<u32>(_e584)) & 1023u);
+                                        let _e592 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e110));
+                                        let _e598 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e587) * _e592)) ^ _e110)));
+                                        let _e602 = select(select(_e511.member.member_1[2], _e598, (_e598 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e587 == 1023u));
+                                        let _e605 = ((_e529.member[1] >> bitcast<u32>(_e544)) & 1023u);
+                                        let _e611 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e605) * _e552)) ^ _e110)));
+                                        let _e615 = select(select(_e511.member.member_1[0], _e611, (_e611 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e605 == 1023u));
+                                        let _e618 = ((_e529.member[1] >> bitcast<u32>(_e564)) & 1023u);
+                                        let _e624 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e618) * _e572)) ^ _e110)));
+                                        let _e628 = select(select(_e511.member.member_1[1], _e624, (_e624 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e618 == 1023u));
+                                        let _e631 = ((_e529.member[1] >> bitcast<u32>(_e584)) & 1023u);
+                                        let _e637 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e631) * _e592)) ^ _e110)));
+                                        let _e641 = select(select(_e511.member.member_1[2], _e637, (_e637 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e631 == 1023u));
+                                        let _e647 = ((_e529.member_1[0] >> bitcast<u32>(_e544)) & 1023u);
+                                        let _e653 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e647) * _e552)) ^ _e110)));
+                                        let _e657 = select(select(_e511.member.member_1[0], _e653, (_e653 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e647 == 1023u));
+                                        let _e660 = ((_e529.member_1[0] >> bitcast<u32>(_e564)) & 1023u);
+                                        let _e666 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e660) * _e572)) ^ _e110)));
+                                        let _e670 = select(select(_e511.member.member_1[1], _e666, (_e666 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e660 == 1023u));
+                                        let _e673 = ((_e529.member_1[0] >> bitcast<u32>(_e584)) & 1023u);
+                                        let _e679 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e673) * _e592)) ^ _e110)));
+                                        let _e683 = select(select(_e511.member.member_1[2], _e679, (_e679 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e673 == 1023u));
+                                        let _e686 = ((_e529.member_1[1] >> bitcast<u32>(_e544)) & 1023u);
+                                        let _e692 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e686) * _e552)) ^ _e110)));
+                                        let _e696 = select(select(_e511.member.member_1[0], _e692, (_e692 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e686 == 1023u));
+                                        let _e699 = ((_e529.member_1[1] >> bitcast<u32>(_e564)) & 1023u);
+                                        let _e705 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e699) * _e572)) ^ _e110)));
+                                        let _e709 = select(select(_e511.member.member_1[1], _e705, (_e705 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e699 == 1023u));
+                                        let _e712 = ((_e529.member_1[1] >> bitcast<u32>(_e584)) & 1023u);
+                                        let _e718 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e712) * _e592)) ^ _e110)));
+                                        let _e722 = select(select(_e511.member.member_1[2], _e718, (_e718 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e712 == 1023u));
+                                        let _e727 = type_50(type_42(array<f32, 3>(_e562, _e582, _e602), array<f32, 3>(_e615, _e628, _e641)), _e529.member_2);
+                                        let _e732 = type_50(type_42(array<f32, 3>(_e657, _e670, _e683), array<f32, 3>(_e696, _e709, _e722)), _e529.member_3);
+                                        let _e738 = ((_e562 - _e310) * _e315);
+                                        let _e739 = ((_e657 - _e310) * _e315);
+                                        let _e740 = ((_e615 - _e311) * _e315);
+                                        let _e741 = ((_e696 - _e311) * _e315);
+                                        let _e746 = ((_e582 - _e348) * _e353);
+                                        let _e747 = ((_e670 - _e348) * _e353);
+                                        let _e748 = ((_e628 - _e349) * _e353);
+                                        let _e749 = ((_e709 - _e349) * _e353);
+                                        let _e754 = ((_e602 - _e386) * _e391);
+                                        let _e755 = ((_e683 - _e386) * _e391);
+                                        let _e756 = ((_e641 - _e387) * _e391);
+                                        let _e757 = ((_e722 - _e387) * _e391);
+                                        let _e759 = select(_e756, _e754, (_e754 < _e756));
+                                        let _e761 = select(_e757, _e755, (_e755 < _e757));
+                                        let _e763 = select(_e756, _e754, (_e754 > _e756));
+                                        let _e765 = select(_e757, _e755, (_e755 > _e757));
+                                        let _e767 = select(_e740, _e738, (_e738 < _e740));
+                                        let _e769 = select(_e741, _e739, (_e739 < _e741));
+                                        let _e771 = select(_e748, _e746, (_e746 < _e748));
+                                        let _e773 = select(_e749, _e747, (_e747 < _e749));
+                                        let _e775 = select(_e771, _e767, (_e767 > _e771));
+                                        let _e777 = select(_e773, _e769, (_e769 > _e773));
+                                        let _e779 = select(_e759, _e775, (_e775 > _e759));
+                                        let _e781 = select(_e761, _e777, (_e777 > _e761));
+                                        let _e783 = select(_e740, _e738, (_e738 > _e740));
+                                        let _e785 = select(_e741, _e739, (_e739 > _e741));
+                                        let _e787 = select(_e748, _e746, (_e746 > _e748));
+                                        let _e789 = select(_e749, _e747, (_e747 > _e749));
+                                        let _e791 = select(_e787, _e783, (_e783 < _e787));
+                                        let _e793 = select(_e789, _e785, (_e785 < _e789));
+                                        let _e798 = -(_e759);
+                                        let _e799 = -(_e761);
+                                        let _e806 = (select(_e763, _e791, (_e791 < _e763)) + (select(_e798, _e763, (_e763 > _e798)) * 0.0000019073523f));
+                                        let _e807 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e799, _e765, (_e765 > _e799)) * 0.0000019073523f));
+                                        let _e809 = select(_e438, _e779, (_e779 > _e438));
+                                        let _e811 = select(_e438, _e781, (_e781 > _e438));
+                                        let _e816 = (_e809 <= select(_e472.member_1, _e806, (_e806 < _e472.member_1)));
+                                        let _e817 = (_e811 <= select(_e472.member_1, _e807, (_e807 < _e472.member_1)));
+                                        let _e818 = (_e809 <= _e811);
+                                        if _e816 {
+                                            if _e817 {
+                                                if _e818 {
+                                                    phi_2659_ = _e732;
+                                                } else {
+                                                    phi_2659_ = _e727;
+                                                }
+                                                let _e820 = phi_2659_;
+                                                let _e828 = (_e515 % 128u);
+                                                let _e829 = (_e828 < 128u);
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e828] = _e820.member_1;
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e828] = _e820.member.member[0];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e828] = _e820.member.member[1];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e828] = _e820.member.member[2];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e828] = _e820.member.member_1[0];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e828] = _e820.member.member_1[1];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local[_e828] = _e820.member.member_1[2];
+                                                if _e829 {
+                                                } else {
+                                                    phi_3001_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e828] = select(_e811, _e809, (_e809 > _e811));
+                                                if _e818 {
+                                                    phi_2736_ = _e727;
+                                                } else {
+                                                    phi_2736_ = _e732;
+                                                }
+                                                let _e846 = phi_2736_;
+                                                phi_2737_ = _e846;
+                                                phi_2738_ = (_e515 + 1u);
                                             } else {
-                                                phi_1823_ = _e558;
-                                                phi_1846_ = type_4(0u, type_4().member_1);
+                                                phi_2737_ = type_50();
+                                                phi_2738_ = u32();
                                             }
-                                            let _e571 = phi_1823_;
-                                            let _e573 = phi_1846_;
-                                            let _e577 = (bitcast<i32>(_e573.member) != 0i);
-                                            if _e577 {
-                                                let _e578 = (_e573.member_1 < 3u);
-                                                if _e578 {
-                                                } else {
-                                                    phi_2817_ = true;
-                                                    break;
-                                                }
-                                                let _e580 = local_17[_e573.member_1];
-                                                if _e578 {
-                                                } else {
-                                                    phi_2817_ = true;
-                                                    break;
-                                                }
-                                                let _e582 = local_10[_e573.member_1];
-                                                if _e578 {
-                                                } else {
-                                                    phi_2817_ = true;
-                                                    break;
-                                                }
-                                                let _e584 = local_9[_e573.member_1];
-                                                let _e587 = ((10u * _e580) & 31u);
-                                                let _e590 = ((_e554.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                                let _e595 = bitcast<f32>((bitcast<u32>(((_e584 - _e582) * 0.0009775171f)) ^ _e125));
-                                                let _e601 = (_e582 + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e125)));
-                                                if _e578 {
-                                                } else {
-                                                    phi_2817_ = true;
-                                                    break;
-                                                }
-                                                local_13[_e573.member_1] = select(select(_e584, _e601, (_e601 < _e584)), _e584, (_e590 == 1023u));
-                                                let _e610 = ((_e554.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                                let _e616 = (_e582 + bitcast<f32>((bitcast<u32>((f32(_e610) * _e595)) ^ _e125)));
-                                                if _e578 {
-                                                } else {
-                                                    phi_2817_ = true;
-                                                    break;
-                                                }
-                                                local_12[_e573.member_1] = select(select(_e584, _e616, (_e616 < _e584)), _e584, (_e610 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1822_ = _e571;
-                                                phi_2817_ = _e485;
-                                                break if !(_e577);
-                                            }
-                                        }
-                                        let _e624 = phi_2817_;
-                                        phi_2958_ = _e624;
-                                        if _e624 {
-                                            break;
-                                        }
-                                        let _e625 = local_12;
-                                        let _e626 = local_13;
-                                        local_16 = _e556;
-                                        local_15 = array<f32, 3>(0f, 0f, 0f);
-                                        local_14 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1976_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e635 = phi_1976_;
-                                            if (_e635.member < _e635.member_1) {
-                                                phi_1977_ = type_4((_e635.member + 1u), _e635.member_1);
-                                                phi_2000_ = type_4(1u, _e635.member);
-                                            } else {
-                                                phi_1977_ = _e635;
-                                                phi_2000_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e648 = phi_1977_;
-                                            let _e650 = phi_2000_;
-                                            let _e654 = (bitcast<i32>(_e650.member) != 0i);
-                                            if _e654 {
-                                                let _e655 = (_e650.member_1 < 3u);
-                                                if _e655 {
-                                                } else {
-                                                    phi_2877_ = true;
-                                                    break;
-                                                }
-                                                let _e657 = local_16[_e650.member_1];
-                                                if _e655 {
-                                                } else {
-                                                    phi_2877_ = true;
-                                                    break;
-                                                }
-                                                let _e659 = local_10[_e650.member_1];
-                                                if _e655 {
-                                                } else {
-                                                    phi_2877_ = true;
-                                                    break;
-                                                }
-                                                let _e661 = local_9[_e650.member_1];
-                                                let _e664 = ((10u * _e657) & 31u);
-                                                let _e667 = ((_e554.member_1[0] >> bitcast<u32>(_e664)) & 1023u);
-                                                let _e672 = bitcast<f32>((bitcast<u32>(((_e661 - _e659) * 0.0009775171f)) ^ _e125));
-                                                let _e678 = (_e659 + bitcast<f32>((bitcast<u32>((f32(_e667) * _e672)) ^ _e125)));
-                                                if _e655 {
-                                                } else {
-                                                    phi_2877_ = true;
-                                                    break;
-                                                }
-                                                local_15[_e650.member_1] = select(select(_e661, _e678, (_e678 < _e661)), _e661, (_e667 == 1023u));
-                                                let _e687 = ((_e554.member_1[1] >> bitcast<u32>(_e664)) & 1023u);
-                                                let _e693 = (_e659 + bitcast<f32>((bitcast<u32>((f32(_e687) * _e672)) ^ _e125)));
-                                                if _e655 {
-                                                } else {
-                                                    phi_2877_ = true;
-                                                    break;
-                                                }
-                                                local_14[_e650.member_1] = select(select(_e661, _e693, (_e693 < _e661)), _e661, (_e687 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1976_ = _e648;
-                                                phi_2877_ = _e624;
-                                                break if !(_e654);
-                                            }
-                                        }
-                                        let _e701 = phi_2877_;
-                                        phi_2958_ = _e701;
-                                        if _e701 {
-                                            break;
-                                        }
-                                        let _e702 = local_14;
-                                        let _e703 = local_15;
-                                        let _e714 = type_51(type_43(array<f32, 3>(_e626[0], _e626[1], _e626[2]), array<f32, 3>(_e625[0], _e625[1], _e625[2])), _e554.member_2);
-                                        let _e719 = type_51(type_43(array<f32, 3>(_e703[0], _e703[1], _e703[2]), array<f32, 3>(_e702[0], _e702[1], _e702[2])), _e554.member_3);
-                                        let _e725 = ((_e626[0] - _e325) * _e330);
-                                        let _e726 = ((_e703[0] - _e325) * _e330);
-                                        let _e727 = ((_e625[0] - _e326) * _e330);
-                                        let _e728 = ((_e702[0] - _e326) * _e330);
-                                        let _e733 = ((_e626[1] - _e363) * _e368);
-                                        let _e734 = ((_e703[1] - _e363) * _e368);
-                                        let _e735 = ((_e625[1] - _e364) * _e368);
-                                        let _e736 = ((_e702[1] - _e364) * _e368);
-                                        let _e741 = ((_e626[2] - _e401) * _e406);
-                                        let _e742 = ((_e703[2] - _e401) * _e406);
-                                        let _e743 = ((_e625[2] - _e402) * _e406);
-                                        let _e744 = ((_e702[2] - _e402) * _e406);
-                                        let _e746 = select(_e743, _e741, (_e741 < _e743));
-                                        let _e748 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e750 = select(_e743, _e741, (_e741 > _e743));
-                                        let _e752 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e754 = select(_e727, _e725, (_e725 < _e727));
-                                        let _e756 = select(_e728, _e726, (_e726 < _e728));
-                                        let _e758 = select(_e735, _e733, (_e733 < _e735));
-                                        let _e760 = select(_e736, _e734, (_e734 < _e736));
-                                        let _e762 = select(_e758, _e754, (_e754 > _e758));
-                                        let _e764 = select(_e760, _e756, (_e756 > _e760));
-                                        let _e766 = select(_e746, _e762, (_e762 > _e746));
-                                        let _e768 = select(_e748, _e764, (_e764 > _e748));
-                                        let _e770 = select(_e727, _e725, (_e725 > _e727));
-                                        let _e772 = select(_e728, _e726, (_e726 > _e728));
-                                        let _e774 = select(_e735, _e733, (_e733 > _e735));
-                                        let _e776 = select(_e736, _e734, (_e734 > _e736));
-                                        let _e778 = select(_e774, _e770, (_e770 < _e774));
-                                        let _e780 = select(_e776, _e772, (_e772 < _e776));
-                                        let _e785 = -(_e746);
-                                        let _e786 = -(_e748);
-                                        let _e793 = (select(_e750, _e778, (_e778 < _e750)) + (select(_e785, _e750, (_e750 > _e785)) * 0.0000019073523f));
-                                        let _e794 = (select(_e752, _e780, (_e780 < _e752)) + (select(_e786, _e752, (_e752 > _e786)) * 0.0000019073523f));
-                                        let _e796 = select(_e453, _e766, (_e766 > _e453));
-                                        let _e798 = select(_e453, _e768, (_e768 > _e453));
-                                        let _e803 = (_e796 <= select(_e487.member_1, _e793, (_e793 < _e487.member_1)));
-                                        let _e804 = (_e798 <= select(_e487.member_1, _e794, (_e794 < _e487.member_1)));
-                                        let _e805 = (_e796 <= _e798);
-                                        if _e803 {
-                                            if _e804 {
-                                                if _e805 {
-                                                    phi_2563_ = _e719;
-                                                } else {
-                                                    phi_2563_ = _e714;
-                                                }
-                                                let _e807 = phi_2563_;
-                                                let _e815 = (_e530 % 128u);
-                                                let _e816 = (_e815 < 128u);
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e815] = _e807.member_1;
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e815] = _e807.member.member[0];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e815] = _e807.member.member[1];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e815] = _e807.member.member[2];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e815] = _e807.member.member_1[0];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e815] = _e807.member.member_1[1];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local[_e815] = _e807.member.member_1[2];
-                                                if _e816 {
-                                                } else {
-                                                    phi_2958_ = true;
-                                                    break;
-                                                }
-                                                local_11[_e815] = select(_e798, _e796, (_e796 > _e798));
-                                                if _e805 {
-                                                    phi_2640_ = _e714;
-                                                } else {
-                                                    phi_2640_ = _e719;
-                                                }
-                                                let _e833 = phi_2640_;
-                                                phi_2641_ = _e833;
-                                                phi_2642_ = (_e530 + 1u);
-                                            } else {
-                                                phi_2641_ = type_51();
-                                                phi_2642_ = u32();
-                                            }
-                                            let _e835 = phi_2641_;
-                                            let _e837 = phi_2642_;
-                                            phi_2644_ = _e835;
-                                            phi_2645_ = _e837;
-                                            phi_2646_ = select(true, false, _e804);
+                                            let _e848 = phi_2737_;
+                                            let _e850 = phi_2738_;
+                                            phi_2740_ = _e848;
+                                            phi_2741_ = _e850;
+                                            phi_2742_ = select(true, false, _e817);
                                         } else {
-                                            phi_2644_ = type_51();
-                                            phi_2645_ = u32();
-                                            phi_2646_ = true;
+                                            phi_2740_ = type_50();
+                                            phi_2741_ = u32();
+                                            phi_2742_ = true;
                                         }
-                                        let _e840 = phi_2644_;
-                                        let _e842 = phi_2645_;
-                                        let _e844 = phi_2646_;
-                                        if _e844 {
-                                            if _e803 {
-                                                phi_2653_ = _e714;
+                                        let _e853 = phi_2740_;
+                                        let _e855 = phi_2741_;
+                                        let _e857 = phi_2742_;
+                                        if _e857 {
+                                            if _e816 {
+                                                phi_2749_ = _e727;
                                             } else {
-                                                phi_2653_ = _e719;
+                                                phi_2749_ = _e732;
                                             }
-                                            let _e846 = phi_2653_;
-                                            phi_2658_ = _e846;
-                                            phi_2659_ = select(_e804, true, _e803);
+                                            let _e859 = phi_2749_;
+                                            phi_2754_ = _e859;
+                                            phi_2755_ = select(_e817, true, _e816);
                                         } else {
-                                            phi_2658_ = _e840;
-                                            phi_2659_ = _e528;
+                                            phi_2754_ = _e853;
+                                            phi_2755_ = _e513;
                                         }
-                                        let _e849 = phi_2658_;
-                                        let _e851 = phi_2659_;
-                                        phi_2962_ = _e701;
-                                        phi_2661_ = _e487;
-                                        phi_2662_ = _e849;
-                                        phi_2663_ = _e851;
-                                        phi_2664_ = select(_e842, _e530, _e844);
+                                        let _e862 = phi_2754_;
+                                        let _e864 = phi_2755_;
+                                        phi_3005_ = _e470;
+                                        phi_2757_ = _e472;
+                                        phi_2758_ = _e862;
+                                        phi_2759_ = _e864;
+                                        phi_2760_ = select(_e855, _e515, _e857);
                                     }
-                                    let _e1306 = phi_2962_;
-                                    let _e1308 = phi_2661_;
-                                    let _e1310 = phi_2662_;
-                                    let _e1312 = phi_2663_;
-                                    let _e1314 = phi_2664_;
-                                    phi_2961_ = _e1306;
-                                    phi_2665_ = _e1308;
-                                    phi_2666_ = _e1310;
-                                    phi_2667_ = (_e491 - 1u);
-                                    phi_2668_ = _e1312;
-                                    phi_2669_ = _e1314;
+                                    let _e1349 = phi_3005_;
+                                    let _e1351 = phi_2757_;
+                                    let _e1353 = phi_2758_;
+                                    let _e1355 = phi_2759_;
+                                    let _e1357 = phi_2760_;
+                                    phi_3004_ = _e1349;
+                                    phi_2761_ = _e1351;
+                                    phi_2762_ = _e1353;
+                                    phi_2763_ = (_e476 - 1u);
+                                    phi_2764_ = _e1355;
+                                    phi_2765_ = _e1357;
                                 } else {
-                                    phi_2961_ = _e485;
-                                    phi_2665_ = _e487;
-                                    phi_2666_ = _e526;
-                                    phi_2667_ = _e491;
-                                    phi_2668_ = _e528;
-                                    phi_2669_ = _e530;
+                                    phi_3004_ = _e470;
+                                    phi_2761_ = _e472;
+                                    phi_2762_ = _e511;
+                                    phi_2763_ = _e476;
+                                    phi_2764_ = _e513;
+                                    phi_2765_ = _e515;
                                 }
-                                let _e1316 = phi_2961_;
-                                let _e1318 = phi_2665_;
-                                let _e1320 = phi_2666_;
-                                let _e1322 = phi_2667_;
-                                let _e1324 = phi_2668_;
-                                let _e1326 = phi_2669_;
-                                phi_2960_ = _e1316;
-                                phi_2670_ = _e1318;
-                                phi_2671_ = _e1320;
-                                phi_2672_ = _e1322;
-                                phi_2673_ = _e1324;
-                                phi_2674_ = _e1326;
+                                let _e1359 = phi_3004_;
+                                let _e1361 = phi_2761_;
+                                let _e1363 = phi_2762_;
+                                let _e1365 = phi_2763_;
+                                let _e1367 = phi_2764_;
+                                let _e1369 = phi_2765_;
+                                phi_3003_ = _e1359;
+                                phi_2766_ = _e1361;
+                                phi_2767_ = _e1363;
+                                phi_2768_ = _e1365;
+                                phi_2769_ = _e1367;
+                                phi_2770_ = _e1369;
                             } else {
-                                phi_2960_ = _e485;
-                                phi_2670_ = type_29();
-                                phi_2671_ = type_51();
-                                phi_2672_ = u32();
-                                phi_2673_ = bool();
-                                phi_2674_ = u32();
+                                phi_3003_ = _e470;
+                                phi_2766_ = type_29();
+                                phi_2767_ = type_50();
+                                phi_2768_ = u32();
+                                phi_2769_ = bool();
+                                phi_2770_ = u32();
                             }
-                            let _e1328 = phi_2960_;
-                            let _e1330 = phi_2670_;
-                            let _e1332 = phi_2671_;
-                            let _e1334 = phi_2672_;
-                            let _e1336 = phi_2673_;
-                            let _e1338 = phi_2674_;
-                            phi_2959_ = _e1328;
-                            phi_790_ = _e1330;
-                            phi_793_ = _e1332;
-                            phi_795_ = _e1334;
-                            phi_797_ = _e1336;
-                            phi_799_ = _e1338;
-                            phi_2675_ = _e499;
+                            let _e1371 = phi_3003_;
+                            let _e1373 = phi_2766_;
+                            let _e1375 = phi_2767_;
+                            let _e1377 = phi_2768_;
+                            let _e1379 = phi_2769_;
+                            let _e1381 = phi_2770_;
+                            phi_3002_ = _e1371;
+                            phi_770_ = _e1373;
+                            phi_773_ = _e1375;
+                            phi_775_ = _e1377;
+                            phi_777_ = _e1379;
+                            phi_779_ = _e1381;
+                            phi_2771_ = _e484;
                         } else {
-                            phi_2959_ = _e485;
-                            phi_790_ = type_29();
-                            phi_793_ = type_51();
-                            phi_795_ = u32();
-                            phi_797_ = bool();
-                            phi_799_ = u32();
-                            phi_2675_ = false;
+                            phi_3002_ = _e470;
+                            phi_770_ = type_29();
+                            phi_773_ = type_50();
+                            phi_775_ = u32();
+                            phi_777_ = bool();
+                            phi_779_ = u32();
+                            phi_2771_ = false;
                         }
-                        let _e1340 = phi_2959_;
-                        let _e1342 = phi_790_;
-                        let _e1344 = phi_793_;
-                        let _e1346 = phi_795_;
-                        let _e1348 = phi_797_;
-                        let _e1350 = phi_799_;
-                        let _e1352 = phi_2675_;
+                        let _e1383 = phi_3002_;
+                        let _e1385 = phi_770_;
+                        let _e1387 = phi_773_;
+                        let _e1389 = phi_775_;
+                        let _e1391 = phi_777_;
+                        let _e1393 = phi_779_;
+                        let _e1395 = phi_2771_;
                         continue;
                         continuing {
-                            phi_2824_ = _e1340;
-                            phi_789_ = _e1342;
-                            phi_792_ = _e1344;
-                            phi_794_ = _e1346;
-                            phi_796_ = _e1348;
-                            phi_798_ = _e1350;
-                            phi_2958_ = _e1340;
-                            break if !(_e1352);
+                            phi_2875_ = _e1383;
+                            phi_769_ = _e1385;
+                            phi_772_ = _e1387;
+                            phi_774_ = _e1389;
+                            phi_776_ = _e1391;
+                            phi_778_ = _e1393;
+                            phi_3001_ = _e1383;
+                            break if !(_e1395);
                         }
                     }
-                    let _e1355 = phi_2958_;
-                    if _e1355 {
+                    let _e1398 = phi_3001_;
+                    if _e1398 {
                         break;
                     }
-                    let _e1357 = local_23;
-                    if (_e1357.member.member_3 != 4294967295u) {
-                        let _e1362 = -(_e420);
-                        let _e1363 = (_e1362 / 3i);
-                        let _e1370 = bitcast<f32>((bitcast<u32>((_e1363 + 127i)) << bitcast<u32>(23i)));
-                        let _e1378 = (((_e1357.member.member * _e1370) * _e1370) * bitcast<f32>((bitcast<u32>(((_e1362 - (2i * _e1363)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1380 = select(340282350000000000000000000000000000000f, _e1378, (_e1378 < 340282350000000000000000000000000000000f));
-                        phi_2727_ = type_18(select(-340282350000000000000000000000000000000f, _e1380, (_e1380 > -340282350000000000000000000000000000000f)), _e1357.member.member_1, _e1357.member.member_2, _e1357.member.member_3);
+                    let _e1400 = local_10;
+                    if (_e1400.member.member_3 != 4294967295u) {
+                        let _e1405 = -(_e405);
+                        let _e1406 = (_e1405 / 3i);
+                        let _e1413 = bitcast<f32>((bitcast<u32>((_e1406 + 127i)) << bitcast<u32>(23i)));
+                        let _e1421 = (((_e1400.member.member * _e1413) * _e1413) * bitcast<f32>((bitcast<u32>(((_e1405 - (2i * _e1406)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1423 = select(340282350000000000000000000000000000000f, _e1421, (_e1421 < 340282350000000000000000000000000000000f));
+                        phi_2823_ = type_18(select(-340282350000000000000000000000000000000f, _e1423, (_e1423 > -340282350000000000000000000000000000000f)), _e1400.member.member_1, _e1400.member.member_2, _e1400.member.member_3);
                     } else {
-                        phi_2727_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2823_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1387 = phi_2727_;
-                    if _e141 {
+                    let _e1430 = phi_2823_;
+                    if _e126 {
                     } else {
                         break;
                     }
-                    global_5.member[_e139] = _e1387;
+                    global_5.member[_e124] = _e1430;
                 }
             }
             break;

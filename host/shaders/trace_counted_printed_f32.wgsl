@@ -64,13 +64,13 @@ struct type_44 {
     member: array<type_42>,
 }
 
-struct type_49 {
+struct type_47 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_51 {
-    member: type_49,
+struct type_49 {
+    member: type_47,
     member_1: u32,
 }
 
@@ -96,394 +96,378 @@ fn function_() {
     var local_4: array<f32, 128>;
     var local_5: array<f32, 128>;
     var local_6: array<u32, 128>;
-    var local_7: array<f32, 3>;
+    var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
-    var local_9: array<f32, 128>;
-    var local_10: array<f32, 3>;
-    var local_11: array<f32, 3>;
-    var local_12: array<f32, 3>;
-    var local_13: array<f32, 3>;
-    var local_14: array<u32, 3>;
-    var local_15: array<u32, 3>;
-    var local_16: array<f32, 3>;
-    var local_17: array<f32, 3>;
-    var phi_336_: i32;
-    var phi_337_: i32;
-    var phi_347_: bool;
-    var phi_357_: u32;
-    var phi_358_: u32;
-    var phi_360_: bool;
-    var phi_365_: u32;
-    var phi_378_: i32;
-    var phi_398_: i32;
-    var phi_416_: f32;
-    var phi_422_: f32;
-    var phi_433_: f32;
-    var phi_439_: f32;
-    var phi_462_: f32;
-    var phi_473_: f32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
-    var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_705_: f32;
-    var phi_706_: f32;
-    var phi_2646_: bool;
-    var phi_780_: type_38;
-    var phi_783_: type_51;
-    var phi_785_: u32;
+    var local_9: array<f32, 3>;
+    var phi_324_: i32;
+    var phi_325_: i32;
+    var phi_335_: bool;
+    var phi_345_: u32;
+    var phi_346_: u32;
+    var phi_348_: bool;
+    var phi_353_: u32;
+    var phi_365_: i32;
+    var phi_385_: i32;
+    var phi_403_: f32;
+    var phi_409_: f32;
+    var phi_420_: f32;
+    var phi_426_: f32;
+    var phi_449_: f32;
+    var phi_460_: f32;
+    var phi_469_: f32;
+    var phi_475_: f32;
+    var phi_486_: f32;
+    var phi_492_: f32;
+    var phi_515_: f32;
+    var phi_526_: f32;
+    var phi_535_: f32;
+    var phi_541_: f32;
+    var phi_552_: f32;
+    var phi_558_: f32;
+    var phi_581_: f32;
+    var phi_592_: f32;
+    var phi_692_: f32;
+    var phi_693_: f32;
+    var phi_2669_: bool;
+    var phi_767_: type_38;
+    var phi_770_: type_49;
+    var phi_772_: u32;
+    var phi_774_: bool;
+    var phi_776_: u32;
     var phi_787_: bool;
-    var phi_789_: u32;
-    var phi_800_: bool;
-    var phi_886_: type_51;
-    var phi_887_: bool;
-    var phi_888_: u32;
-    var phi_1693_: type_42;
-    var phi_1702_: type_4;
-    var phi_1703_: type_4;
-    var phi_1726_: type_4;
-    var phi_2639_: bool;
-    var phi_1856_: type_4;
-    var phi_1857_: type_4;
-    var phi_1880_: type_4;
-    var phi_2699_: bool;
-    var phi_2443_: type_51;
-    var phi_2520_: type_51;
-    var phi_2521_: type_51;
-    var phi_2522_: u32;
-    var phi_2524_: type_51;
-    var phi_2525_: u32;
-    var phi_2526_: bool;
-    var phi_2533_: type_51;
-    var phi_2538_: type_51;
-    var phi_2539_: bool;
-    var phi_906_: type_38;
-    var phi_909_: type_4;
-    var phi_910_: type_4;
-    var phi_932_: type_4;
-    var phi_956_: u32;
-    var phi_1045_: array<array<f32, 3>, 3>;
-    var phi_1516_: vec3<f32>;
-    var phi_1517_: vec3<f32>;
-    var phi_1548_: bool;
-    var phi_1557_: vec3<f32>;
-    var phi_1597_: type_25;
-    var phi_1599_: type_25;
-    var phi_1600_: bool;
-    var phi_1604_: type_25;
-    var phi_1605_: type_25;
-    var phi_1606_: type_25;
-    var phi_1607_: bool;
-    var phi_1611_: type_25;
-    var phi_1612_: bool;
-    var phi_1616_: type_25;
-    var phi_1617_: bool;
-    var phi_1621_: type_25;
-    var phi_1646_: bool;
-    var phi_1647_: bool;
-    var phi_1654_: type_38;
-    var phi_1655_: type_38;
-    var phi_1656_: type_38;
-    var phi_907_: type_38;
-    var phi_2707_: bool;
-    var phi_2774_: bool;
-    var phi_2541_: type_38;
-    var phi_2542_: type_51;
-    var phi_2543_: bool;
-    var phi_2544_: u32;
-    var phi_2773_: bool;
-    var phi_2545_: type_38;
-    var phi_2546_: type_51;
-    var phi_2547_: u32;
-    var phi_2548_: bool;
-    var phi_2549_: u32;
-    var phi_2772_: bool;
-    var phi_2550_: type_38;
-    var phi_2551_: type_51;
-    var phi_2552_: u32;
-    var phi_2553_: bool;
-    var phi_2554_: u32;
-    var phi_2771_: bool;
-    var phi_781_: type_38;
-    var phi_784_: type_51;
-    var phi_786_: u32;
-    var phi_788_: bool;
-    var phi_790_: u32;
-    var phi_2555_: bool;
-    var phi_2770_: bool;
-    var local_18: type_38;
-    var local_19: type_38;
-    var local_20: type_38;
+    var phi_873_: type_49;
+    var phi_874_: bool;
+    var phi_875_: u32;
+    var phi_1665_: type_42;
+    var phi_2497_: type_49;
+    var phi_2574_: type_49;
+    var phi_2575_: type_49;
+    var phi_2576_: u32;
+    var phi_2578_: type_49;
+    var phi_2579_: u32;
+    var phi_2580_: bool;
+    var phi_2587_: type_49;
+    var phi_2592_: type_49;
+    var phi_2593_: bool;
+    var phi_893_: type_38;
+    var phi_896_: type_4;
+    var phi_897_: type_4;
+    var phi_919_: type_4;
+    var phi_943_: u32;
+    var phi_1032_: array<array<f32, 3>, 3>;
+    var phi_1503_: vec3<f32>;
+    var phi_1504_: vec3<f32>;
+    var phi_1535_: bool;
+    var phi_1544_: vec3<f32>;
+    var phi_1584_: type_25;
+    var phi_1586_: type_25;
+    var phi_1587_: bool;
+    var phi_1591_: type_25;
+    var phi_1592_: type_25;
+    var phi_1593_: type_25;
+    var phi_1594_: bool;
+    var phi_1598_: type_25;
+    var phi_1599_: bool;
+    var phi_1603_: type_25;
+    var phi_1604_: bool;
+    var phi_1608_: type_25;
+    var phi_1633_: bool;
+    var phi_1634_: bool;
+    var phi_1641_: type_38;
+    var phi_1642_: type_38;
+    var phi_1643_: type_38;
+    var phi_894_: type_38;
+    var phi_2663_: bool;
+    var phi_2781_: bool;
+    var phi_2595_: type_38;
+    var phi_2596_: type_49;
+    var phi_2597_: bool;
+    var phi_2598_: u32;
+    var phi_2780_: bool;
+    var phi_2599_: type_38;
+    var phi_2600_: type_49;
+    var phi_2601_: u32;
+    var phi_2602_: bool;
+    var phi_2603_: u32;
+    var phi_2779_: bool;
+    var phi_2604_: type_38;
+    var phi_2605_: type_49;
+    var phi_2606_: u32;
+    var phi_2607_: bool;
+    var phi_2608_: u32;
+    var phi_2778_: bool;
+    var phi_768_: type_38;
+    var phi_771_: type_49;
+    var phi_773_: u32;
+    var phi_775_: bool;
+    var phi_777_: u32;
+    var phi_2609_: bool;
+    var phi_2777_: bool;
+    var local_10: type_38;
+    var local_11: type_38;
+    var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e84 = global;
-            let _e87 = arrayLength((&global_5.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[1u][0u];
-            let _e113 = global_3.member[1u][1u];
-            let _e117 = global_3.member[1u][2u];
-            let _e121 = global_3.member[1u][3u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e135 = (_e84.x + (_e84.y * 2097152u));
-            let _e136 = (_e135 < arrayLength((&global_4.member)));
-            if _e136 {
-                let _e137 = (_e135 < arrayLength((&global_6.member)));
-                if _e137 {
-                    if _e136 {
+            let _e74 = global;
+            let _e77 = arrayLength((&global_5.member));
+            let _e79 = arrayLength((&global_2.member));
+            let _e87 = global_3.member[0u][0u];
+            let _e91 = global_3.member[0u][1u];
+            let _e95 = global_3.member[0u][2u];
+            let _e99 = global_3.member[1u][0u];
+            let _e103 = global_3.member[1u][1u];
+            let _e107 = global_3.member[1u][2u];
+            let _e111 = global_3.member[1u][3u];
+            let _e114 = global_1.member[0u];
+            let _e115 = bitcast<i32>(_e114);
+            let _e125 = (_e74.x + (_e74.y * 2097152u));
+            let _e126 = (_e125 < arrayLength((&global_4.member)));
+            if _e126 {
+                let _e127 = (_e125 < arrayLength((&global_6.member)));
+                if _e127 {
+                    if _e126 {
                     } else {
                         break;
                     }
-                    let _e145 = global_4.member[_e135].member_2[0u];
-                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
-                    let _e152 = global_4.member[_e135].member_2[1u];
-                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
-                    let _e159 = global_4.member[_e135].member_2[2u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_4.member[_e135].member[0u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_4.member[_e135].member[1u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_4.member[_e135].member[2u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e184 = select(_e154, _e147, (_e154 < _e147));
-                    let _e186 = select(_e161, _e184, (_e161 < _e184));
-                    let _e188 = select(_e168, _e186, (_e168 < _e186));
-                    let _e190 = select(_e175, _e188, (_e175 < _e188));
-                    let _e192 = select(_e182, _e190, (_e182 < _e190));
-                    let _e196 = global_4.member[_e135].member_1;
-                    let _e198 = (bitcast<u32>(_e196) & 2147483647u);
-                    let _e205 = global_4.member[_e135].member_3;
-                    let _e211 = (((select(_e198, _e192, (_e198 < _e192)) < 2139095040u) && ((bitcast<u32>(_e205) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
-                    if _e211 {
-                        let _e214 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
-                        if (_e214 >= 8388608u) {
-                            phi_336_ = (bitcast<i32>((_e214 >> bitcast<u32>(23i))) - 127i);
+                    let _e135 = global_4.member[_e125].member_2[0u];
+                    let _e137 = (bitcast<u32>(_e135) & 2147483647u);
+                    let _e142 = global_4.member[_e125].member_2[1u];
+                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
+                    let _e149 = global_4.member[_e125].member_2[2u];
+                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
+                    let _e156 = global_4.member[_e125].member[0u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_4.member[_e125].member[1u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_4.member[_e125].member[2u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e174 = select(_e144, _e137, (_e144 < _e137));
+                    let _e176 = select(_e151, _e174, (_e151 < _e174));
+                    let _e178 = select(_e158, _e176, (_e158 < _e176));
+                    let _e180 = select(_e165, _e178, (_e165 < _e178));
+                    let _e182 = select(_e172, _e180, (_e172 < _e180));
+                    let _e186 = global_4.member[_e125].member_1;
+                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
+                    let _e195 = global_4.member[_e125].member_3;
+                    let _e201 = (((select(_e188, _e182, (_e188 < _e182)) < 2139095040u) && ((bitcast<u32>(_e195) & 2147483647u) <= 2139095040u)) && (_e176 > 0u));
+                    if _e201 {
+                        let _e204 = (bitcast<u32>(bitcast<f32>(_e176)) & 2147483647u);
+                        if (_e204 >= 8388608u) {
+                            phi_324_ = (bitcast<i32>((_e204 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_336_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e214)), 32u, (_e214 == 0u))));
+                            phi_324_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e204)), 32u, (_e204 == 0u))));
                         }
-                        let _e228 = phi_336_;
-                        phi_337_ = _e228;
+                        let _e218 = phi_324_;
+                        phi_325_ = _e218;
                     } else {
-                        phi_337_ = 0i;
+                        phi_325_ = 0i;
                     }
-                    let _e230 = phi_337_;
-                    let _e231 = (_e147 == _e186);
-                    if _e231 {
-                        phi_347_ = true;
+                    let _e220 = phi_325_;
+                    let _e221 = (_e137 == _e176);
+                    if _e221 {
+                        phi_335_ = true;
                     } else {
-                        phi_347_ = (_e154 == _e186);
+                        phi_335_ = (_e144 == _e176);
                     }
-                    let _e234 = phi_347_;
-                    let _e235 = select(1u, 0u, _e231);
+                    let _e224 = phi_335_;
+                    let _e225 = select(1u, 0u, _e221);
+                    if _e224 {
+                        let _e226 = (_e225 + 1u);
+                        phi_345_ = _e226;
+                        phi_346_ = _e226;
+                        phi_348_ = select(true, false, (_e226 == 2u));
+                    } else {
+                        phi_345_ = u32();
+                        phi_346_ = 0u;
+                        phi_348_ = true;
+                    }
+                    let _e230 = phi_345_;
+                    let _e232 = phi_346_;
+                    let _e234 = phi_348_;
                     if _e234 {
-                        let _e236 = (_e235 + 1u);
-                        phi_357_ = _e236;
-                        phi_358_ = _e236;
-                        phi_360_ = select(true, false, (_e236 == 2u));
+                        phi_353_ = (_e232 + 1u);
                     } else {
-                        phi_357_ = u32();
-                        phi_358_ = 0u;
-                        phi_360_ = true;
+                        phi_353_ = 0u;
                     }
-                    let _e240 = phi_357_;
-                    let _e242 = phi_358_;
-                    let _e244 = phi_360_;
-                    if _e244 {
-                        phi_365_ = (_e242 + 1u);
+                    let _e238 = phi_353_;
+                    let _e239 = select(_e230, _e232, _e234);
+                    let _e240 = select(_e225, select(2u, _e225, _e224), _e234);
+                    if (_e115 < -126i) {
+                        phi_365_ = -126i;
                     } else {
-                        phi_365_ = 0u;
+                        phi_365_ = select(_e115, 127i, (_e115 > 127i));
                     }
-                    let _e248 = phi_365_;
-                    let _e249 = select(_e240, _e242, _e244);
-                    let _e250 = select(_e235, select(2u, _e235, _e234), _e244);
-                    if (_e125 < -126i) {
-                        phi_378_ = -126i;
+                    let _e245 = phi_365_;
+                    let _e250 = bitcast<f32>((bitcast<u32>((_e245 + 127i)) << bitcast<u32>(23i)));
+                    let _e256 = bitcast<f32>((bitcast<u32>(((_e115 - _e245) + 127i)) << bitcast<u32>(23i)));
+                    let _e257 = -(_e220);
+                    if (_e257 < -126i) {
+                        phi_385_ = -126i;
                     } else {
-                        phi_378_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_385_ = select(_e257, 127i, (_e257 > 127i));
                     }
-                    let _e255 = phi_378_;
-                    let _e260 = bitcast<f32>((bitcast<u32>((_e255 + 127i)) << bitcast<u32>(23i)));
-                    let _e266 = bitcast<f32>((bitcast<u32>(((_e125 - _e255) + 127i)) << bitcast<u32>(23i)));
-                    let _e267 = -(_e230);
-                    if (_e267 < -126i) {
-                        phi_398_ = -126i;
+                    let _e262 = phi_385_;
+                    let _e267 = bitcast<f32>((bitcast<u32>((_e262 + 127i)) << bitcast<u32>(23i)));
+                    let _e273 = bitcast<f32>((bitcast<u32>(((_e257 - _e262) + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = global_4.member[_e125].member;
+                    let _e278 = (_e239 == 0u);
+                    if _e278 {
+                        phi_403_ = _e277[0];
                     } else {
-                        phi_398_ = select(_e267, 127i, (_e267 > 127i));
+                        phi_403_ = _e277[1];
                     }
-                    let _e272 = phi_398_;
-                    let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
-                    let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = global_4.member[_e135].member;
-                    let _e288 = (_e249 == 0u);
-                    if _e288 {
-                        phi_416_ = _e287[0];
+                    let _e282 = phi_403_;
+                    let _e283 = (_e239 == 2u);
+                    if _e283 {
+                        phi_409_ = _e277[2];
                     } else {
-                        phi_416_ = _e287[1];
+                        phi_409_ = _e282;
                     }
-                    let _e292 = phi_416_;
-                    let _e293 = (_e249 == 2u);
-                    if _e293 {
-                        phi_422_ = _e287[2];
+                    let _e286 = phi_409_;
+                    let _e288 = ((_e286 * _e250) * _e256);
+                    let _e289 = global_4.member[_e125].member_2;
+                    if _e278 {
+                        phi_420_ = _e289[0];
                     } else {
-                        phi_422_ = _e292;
+                        phi_420_ = _e289[1];
                     }
-                    let _e296 = phi_422_;
-                    let _e298 = ((_e296 * _e260) * _e266);
-                    let _e299 = global_4.member[_e135].member_2;
-                    if _e288 {
-                        phi_433_ = _e299[0];
+                    let _e293 = phi_420_;
+                    if _e283 {
+                        phi_426_ = _e289[2];
                     } else {
-                        phi_433_ = _e299[1];
+                        phi_426_ = _e293;
                     }
-                    let _e303 = phi_433_;
-                    if _e293 {
-                        phi_439_ = _e299[2];
+                    let _e296 = phi_426_;
+                    let _e298 = ((_e296 * _e267) * _e273);
+                    let _e302 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e302 {
+                        let _e306 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) * 0.00000011920929f);
+                        phi_449_ = select(0.00000000000011368684f, _e306, (_e306 > 0.00000000000011368684f));
                     } else {
-                        phi_439_ = _e303;
+                        phi_449_ = 0f;
                     }
-                    let _e306 = phi_439_;
-                    let _e308 = ((_e306 * _e277) * _e283);
-                    let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e312 {
-                        let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
-                        phi_462_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
+                    let _e310 = phi_449_;
+                    let _e311 = (_e288 + _e310);
+                    let _e312 = (_e288 - _e310);
+                    let _e313 = select(_e298, 0f, _e302);
+                    if _e302 {
+                        phi_460_ = 38685626000000000000000000f;
                     } else {
-                        phi_462_ = 0f;
+                        phi_460_ = (1f / _e298);
                     }
-                    let _e320 = phi_462_;
-                    let _e321 = (_e298 + _e320);
-                    let _e322 = (_e298 - _e320);
-                    let _e323 = select(_e308, 0f, _e312);
-                    if _e312 {
-                        phi_473_ = 38685626000000000000000000f;
+                    let _e316 = phi_460_;
+                    let _e317 = (_e238 == 0u);
+                    if _e317 {
+                        phi_469_ = _e277[0];
                     } else {
-                        phi_473_ = (1f / _e308);
+                        phi_469_ = _e277[1];
                     }
-                    let _e326 = phi_473_;
-                    let _e327 = (_e248 == 0u);
-                    if _e327 {
-                        phi_482_ = _e287[0];
+                    let _e321 = phi_469_;
+                    let _e322 = (_e238 == 2u);
+                    if _e322 {
+                        phi_475_ = _e277[2];
                     } else {
-                        phi_482_ = _e287[1];
+                        phi_475_ = _e321;
                     }
-                    let _e331 = phi_482_;
-                    let _e332 = (_e248 == 2u);
-                    if _e332 {
-                        phi_488_ = _e287[2];
+                    let _e325 = phi_475_;
+                    let _e327 = ((_e325 * _e250) * _e256);
+                    if _e317 {
+                        phi_486_ = _e289[0];
                     } else {
-                        phi_488_ = _e331;
+                        phi_486_ = _e289[1];
                     }
-                    let _e335 = phi_488_;
-                    let _e337 = ((_e335 * _e260) * _e266);
-                    if _e327 {
-                        phi_499_ = _e299[0];
+                    let _e331 = phi_486_;
+                    if _e322 {
+                        phi_492_ = _e289[2];
                     } else {
-                        phi_499_ = _e299[1];
+                        phi_492_ = _e331;
                     }
-                    let _e341 = phi_499_;
-                    if _e332 {
-                        phi_505_ = _e299[2];
+                    let _e334 = phi_492_;
+                    let _e336 = ((_e334 * _e267) * _e273);
+                    let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e340 {
+                        let _e344 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) * 0.00000011920929f);
+                        phi_515_ = select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f));
                     } else {
-                        phi_505_ = _e341;
+                        phi_515_ = 0f;
                     }
-                    let _e344 = phi_505_;
-                    let _e346 = ((_e344 * _e277) * _e283);
-                    let _e350 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e350 {
-                        let _e354 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e354, (_e354 > 0.00000000000011368684f));
+                    let _e348 = phi_515_;
+                    let _e349 = (_e327 + _e348);
+                    let _e350 = (_e327 - _e348);
+                    let _e351 = select(_e336, 0f, _e340);
+                    if _e340 {
+                        phi_526_ = 38685626000000000000000000f;
                     } else {
-                        phi_528_ = 0f;
+                        phi_526_ = (1f / _e336);
                     }
-                    let _e358 = phi_528_;
-                    let _e359 = (_e337 + _e358);
-                    let _e360 = (_e337 - _e358);
-                    let _e361 = select(_e346, 0f, _e350);
-                    if _e350 {
-                        phi_539_ = 38685626000000000000000000f;
+                    let _e354 = phi_526_;
+                    let _e355 = (_e240 == 0u);
+                    if _e355 {
+                        phi_535_ = _e277[0];
                     } else {
-                        phi_539_ = (1f / _e346);
+                        phi_535_ = _e277[1];
                     }
-                    let _e364 = phi_539_;
-                    let _e365 = (_e250 == 0u);
-                    if _e365 {
-                        phi_548_ = _e287[0];
+                    let _e359 = phi_535_;
+                    let _e360 = (_e240 == 2u);
+                    if _e360 {
+                        phi_541_ = _e277[2];
                     } else {
-                        phi_548_ = _e287[1];
+                        phi_541_ = _e359;
                     }
-                    let _e369 = phi_548_;
-                    let _e370 = (_e250 == 2u);
-                    if _e370 {
-                        phi_554_ = _e287[2];
+                    let _e363 = phi_541_;
+                    let _e365 = ((_e363 * _e250) * _e256);
+                    if _e355 {
+                        phi_552_ = _e289[0];
                     } else {
-                        phi_554_ = _e369;
+                        phi_552_ = _e289[1];
                     }
-                    let _e373 = phi_554_;
-                    let _e375 = ((_e373 * _e260) * _e266);
-                    if _e365 {
-                        phi_565_ = _e299[0];
+                    let _e369 = phi_552_;
+                    if _e360 {
+                        phi_558_ = _e289[2];
                     } else {
-                        phi_565_ = _e299[1];
+                        phi_558_ = _e369;
                     }
-                    let _e379 = phi_565_;
-                    if _e370 {
-                        phi_571_ = _e299[2];
+                    let _e372 = phi_558_;
+                    let _e374 = ((_e372 * _e267) * _e273);
+                    let _e378 = (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e378 {
+                        let _e382 = (bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) * 0.00000011920929f);
+                        phi_581_ = select(0.00000000000011368684f, _e382, (_e382 > 0.00000000000011368684f));
                     } else {
-                        phi_571_ = _e379;
+                        phi_581_ = 0f;
                     }
-                    let _e382 = phi_571_;
-                    let _e384 = ((_e382 * _e277) * _e283);
-                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e388 {
-                        let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
+                    let _e386 = phi_581_;
+                    let _e387 = (_e365 + _e386);
+                    let _e388 = (_e365 - _e386);
+                    let _e389 = select(_e374, 0f, _e378);
+                    if _e378 {
+                        phi_592_ = 38685626000000000000000000f;
                     } else {
-                        phi_594_ = 0f;
+                        phi_592_ = (1f / _e374);
                     }
-                    let _e396 = phi_594_;
-                    let _e397 = (_e375 + _e396);
-                    let _e398 = (_e375 - _e396);
-                    let _e399 = select(_e384, 0f, _e388);
-                    if _e388 {
-                        phi_605_ = 38685626000000000000000000f;
+                    let _e392 = phi_592_;
+                    let _e395 = bitcast<f32>((bitcast<u32>(_e288) & 2147483647u));
+                    let _e398 = bitcast<f32>((bitcast<u32>(_e327) & 2147483647u));
+                    let _e400 = select(_e398, _e395, (_e395 > _e398));
+                    let _e403 = bitcast<f32>((bitcast<u32>(_e365) & 2147483647u));
+                    let _e406 = (_e115 + _e220);
+                    if (_e201 && (select(_e403, _e400, (_e400 > _e403)) <= 1099511600000f)) {
+                        let _e409 = (_e406 / 3i);
+                        let _e416 = bitcast<f32>((bitcast<u32>((_e409 + 127i)) << bitcast<u32>(23i)));
+                        let _e423 = bitcast<f32>((bitcast<u32>(((_e406 - (2i * _e409)) + 127i)) << bitcast<u32>(23i)));
+                        let _e424 = (((_e186 * _e416) * _e416) * _e423);
+                        let _e426 = select(340282350000000000000000000000000000000f, _e424, (_e424 < 340282350000000000000000000000000000000f));
+                        let _e431 = (((_e195 * _e416) * _e416) * _e423);
+                        let _e433 = select(340282350000000000000000000000000000000f, _e431, (_e431 < 340282350000000000000000000000000000000f));
+                        phi_692_ = select(-340282350000000000000000000000000000000f, _e433, (_e433 > -340282350000000000000000000000000000000f));
+                        phi_693_ = select(-340282350000000000000000000000000000000f, _e426, (_e426 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_605_ = (1f / _e384);
+                        phi_692_ = 0f;
+                        phi_693_ = 1f;
                     }
-                    let _e402 = phi_605_;
-                    let _e405 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
-                    let _e408 = bitcast<f32>((bitcast<u32>(_e337) & 2147483647u));
-                    let _e410 = select(_e408, _e405, (_e405 > _e408));
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
-                    let _e416 = (_e125 + _e230);
-                    if (_e211 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
-                        let _e419 = (_e416 / 3i);
-                        let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
-                        let _e433 = bitcast<f32>((bitcast<u32>(((_e416 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
-                        let _e434 = (((_e196 * _e426) * _e426) * _e433);
-                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
-                        let _e441 = (((_e205 * _e426) * _e426) * _e433);
-                        let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
-                        phi_705_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
-                        phi_706_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_705_ = 0f;
-                        phi_706_ = 1f;
-                    }
-                    let _e447 = phi_705_;
-                    let _e449 = phi_706_;
+                    let _e437 = phi_692_;
+                    let _e439 = phi_693_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -491,851 +475,752 @@ fn function_() {
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_17 = array<f32, 3>(bitcast<f32>(_e97), bitcast<f32>(_e101), bitcast<f32>(_e105));
-                    let _e455 = (_e249 % 3u);
-                    let _e456 = (_e455 < 3u);
-                    if _e456 {
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_9 = array<f32, 3>(bitcast<f32>(_e87), bitcast<f32>(_e91), bitcast<f32>(_e95));
+                    let _e445 = (_e239 % 3u);
+                    let _e446 = (_e445 < 3u);
+                    if _e446 {
                     } else {
                         break;
                     }
-                    let _e458 = local_17[_e455];
-                    let _e459 = (_e248 % 3u);
-                    let _e460 = (_e459 < 3u);
-                    if _e460 {
+                    let _e448 = local_9[_e445];
+                    let _e449 = (_e238 % 3u);
+                    let _e450 = (_e449 < 3u);
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e462 = local_17[_e459];
-                    let _e463 = (_e250 % 3u);
-                    let _e464 = (_e463 < 3u);
-                    if _e464 {
+                    let _e452 = local_9[_e449];
+                    let _e453 = (_e240 % 3u);
+                    let _e454 = (_e453 < 3u);
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e466 = local_17[_e463];
-                    local_16 = array<f32, 3>(bitcast<f32>(_e109), bitcast<f32>(_e113), bitcast<f32>(_e117));
-                    if _e456 {
+                    let _e456 = local_9[_e453];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e99), bitcast<f32>(_e103), bitcast<f32>(_e107));
+                    if _e446 {
                     } else {
                         break;
                     }
-                    let _e470 = local_16[_e455];
-                    if _e460 {
+                    let _e460 = local_8[_e445];
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e472 = local_16[_e459];
-                    if _e464 {
+                    let _e462 = local_8[_e449];
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e474 = local_16[_e463];
-                    phi_2646_ = false;
-                    phi_780_ = type_38(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e447), 0u, 0u);
-                    phi_783_ = type_51(type_49(array<f32, 3>(_e458, _e462, _e466), array<f32, 3>(_e470, _e472, _e474)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_785_ = ((3u * _e87) + 1u);
-                    phi_787_ = (_e449 <= _e447);
-                    phi_789_ = 0u;
+                    let _e464 = local_8[_e453];
+                    phi_2669_ = false;
+                    phi_767_ = type_38(type_32(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e437), 0u, 0u);
+                    phi_770_ = type_49(type_47(array<f32, 3>(_e448, _e452, _e456), array<f32, 3>(_e460, _e462, _e464)), select(0u, 2147483648u, (_e77 == 0u)));
+                    phi_772_ = ((3u * _e77) + 1u);
+                    phi_774_ = (_e439 <= _e437);
+                    phi_776_ = 0u;
                     loop {
-                        let _e482 = phi_2646_;
-                        let _e484 = phi_780_;
-                        let _e486 = phi_783_;
-                        let _e488 = phi_785_;
-                        let _e490 = phi_787_;
-                        let _e492 = phi_789_;
-                        local_18 = _e484;
-                        local_19 = _e484;
-                        if _e490 {
-                            phi_800_ = true;
+                        let _e472 = phi_2669_;
+                        let _e474 = phi_767_;
+                        let _e476 = phi_770_;
+                        let _e478 = phi_772_;
+                        let _e480 = phi_774_;
+                        let _e482 = phi_776_;
+                        local_10 = _e474;
+                        local_11 = _e474;
+                        if _e480 {
+                            phi_787_ = true;
                         } else {
-                            phi_800_ = (_e492 > 0u);
+                            phi_787_ = (_e482 > 0u);
                         }
-                        let _e495 = phi_800_;
-                        if _e495 {
-                            let _e496 = (_e488 > 0u);
-                            if _e496 {
-                                if _e490 {
-                                    phi_886_ = _e486;
-                                    phi_887_ = _e490;
-                                    phi_888_ = _e492;
+                        let _e485 = phi_787_;
+                        if _e485 {
+                            let _e486 = (_e478 > 0u);
+                            if _e486 {
+                                if _e480 {
+                                    phi_873_ = _e476;
+                                    phi_874_ = _e480;
+                                    phi_875_ = _e482;
                                 } else {
-                                    let _e497 = (_e492 - 1u);
-                                    let _e498 = (_e497 % 128u);
-                                    let _e499 = (_e498 < 128u);
-                                    if _e499 {
+                                    let _e487 = (_e482 - 1u);
+                                    let _e488 = (_e487 % 128u);
+                                    let _e489 = (_e488 < 128u);
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e501 = local_6[_e498];
-                                    if _e499 {
+                                    let _e491 = local_6[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e503 = local_5[_e498];
-                                    if _e499 {
+                                    let _e493 = local_5[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e505 = local_4[_e498];
-                                    if _e499 {
+                                    let _e495 = local_4[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e507 = local_3[_e498];
-                                    if _e499 {
+                                    let _e497 = local_3[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e510 = local_2[_e498];
-                                    if _e499 {
+                                    let _e500 = local_2[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e512 = local_1[_e498];
-                                    if _e499 {
+                                    let _e502 = local_1[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e514 = local[_e498];
-                                    if _e499 {
+                                    let _e504 = local[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_2770_ = true;
+                                        phi_2777_ = true;
                                         break;
                                     }
-                                    let _e519 = local_9[_e498];
-                                    phi_886_ = type_51(type_49(array<f32, 3>(_e503, _e505, _e507), array<f32, 3>(_e510, _e512, _e514)), _e501);
-                                    phi_887_ = (_e519 <= _e484.member.member_1);
-                                    phi_888_ = _e497;
+                                    let _e509 = local_7[_e488];
+                                    phi_873_ = type_49(type_47(array<f32, 3>(_e493, _e495, _e497), array<f32, 3>(_e500, _e502, _e504)), _e491);
+                                    phi_874_ = (_e509 <= _e474.member.member_1);
+                                    phi_875_ = _e487;
                                 }
-                                let _e524 = phi_886_;
-                                let _e526 = phi_887_;
-                                let _e528 = phi_888_;
-                                if _e526 {
-                                    if ((_e524.member_1 & 2147483648u) != 0u) {
-                                        phi_906_ = _e484;
-                                        phi_909_ = type_4(0u, ((_e524.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e514 = phi_873_;
+                                let _e516 = phi_874_;
+                                let _e518 = phi_875_;
+                                if _e516 {
+                                    if ((_e514.member_1 & 2147483648u) != 0u) {
+                                        phi_893_ = _e474;
+                                        phi_896_ = type_4(0u, ((_e514.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e860 = phi_906_;
-                                            let _e862 = phi_909_;
-                                            local_20 = _e860;
-                                            if (_e862.member < _e862.member_1) {
-                                                phi_910_ = type_4((_e862.member + 1u), _e862.member_1);
-                                                phi_932_ = type_4(1u, _e862.member);
+                                            let _e877 = phi_893_;
+                                            let _e879 = phi_896_;
+                                            local_12 = _e877;
+                                            if (_e879.member < _e879.member_1) {
+                                                phi_897_ = type_4((_e879.member + 1u), _e879.member_1);
+                                                phi_919_ = type_4(1u, _e879.member);
                                             } else {
-                                                phi_910_ = _e862;
-                                                phi_932_ = type_4(0u, type_4().member_1);
+                                                phi_897_ = _e879;
+                                                phi_919_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e875 = phi_910_;
-                                            let _e877 = phi_932_;
-                                            let _e881 = (bitcast<i32>(_e877.member) != 0i);
-                                            if _e881 {
-                                                let _e887 = type_38(_e860.member, _e860.member_1, (_e860.member_2 + 1u));
-                                                let _e888 = ((_e524.member_1 & 268435455u) + _e877.member_1);
-                                                let _e889 = (_e888 < _e89);
-                                                if _e889 {
-                                                    if _e889 {
+                                            let _e892 = phi_897_;
+                                            let _e894 = phi_919_;
+                                            let _e898 = (bitcast<i32>(_e894.member) != 0i);
+                                            if _e898 {
+                                                let _e904 = type_38(_e877.member, _e877.member_1, (_e877.member_2 + 1u));
+                                                let _e905 = ((_e514.member_1 & 268435455u) + _e894.member_1);
+                                                let _e906 = (_e905 < _e79);
+                                                if _e906 {
+                                                    if _e906 {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e893 = global_2.member[_e888].member_1;
-                                                    phi_956_ = _e893;
+                                                    let _e910 = global_2.member[_e905].member_1;
+                                                    phi_943_ = _e910;
                                                 } else {
-                                                    phi_956_ = 4294967295u;
+                                                    phi_943_ = 4294967295u;
                                                 }
-                                                let _e895 = phi_956_;
-                                                if (_e888 >= _e89) {
-                                                    phi_1045_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e912 = phi_943_;
+                                                if (_e905 >= _e79) {
+                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e889 {
+                                                    if _e906 {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    if (_e455 < 9u) {
+                                                    if (_e445 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e902 = global_2.member[_e888].member[_e455];
-                                                    if (_e459 < 9u) {
+                                                    let _e919 = global_2.member[_e905].member[_e445];
+                                                    if (_e449 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e908 = global_2.member[_e888].member[_e459];
-                                                    if (_e463 < 9u) {
+                                                    let _e925 = global_2.member[_e905].member[_e449];
+                                                    if (_e453 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e914 = global_2.member[_e888].member[_e463];
-                                                    let _e916 = (3u + _e455);
-                                                    if (_e916 < 9u) {
+                                                    let _e931 = global_2.member[_e905].member[_e453];
+                                                    let _e933 = (3u + _e445);
+                                                    if (_e933 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e922 = global_2.member[_e888].member[_e916];
-                                                    let _e923 = (3u + _e459);
-                                                    if (_e923 < 9u) {
+                                                    let _e939 = global_2.member[_e905].member[_e933];
+                                                    let _e940 = (3u + _e449);
+                                                    if (_e940 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e929 = global_2.member[_e888].member[_e923];
-                                                    let _e930 = (3u + _e463);
-                                                    if (_e930 < 9u) {
+                                                    let _e946 = global_2.member[_e905].member[_e940];
+                                                    let _e947 = (3u + _e453);
+                                                    if (_e947 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e936 = global_2.member[_e888].member[_e930];
-                                                    let _e938 = (6u + _e455);
-                                                    if (_e938 < 9u) {
+                                                    let _e953 = global_2.member[_e905].member[_e947];
+                                                    let _e955 = (6u + _e445);
+                                                    if (_e955 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e944 = global_2.member[_e888].member[_e938];
-                                                    let _e945 = (6u + _e459);
-                                                    if (_e945 < 9u) {
+                                                    let _e961 = global_2.member[_e905].member[_e955];
+                                                    let _e962 = (6u + _e449);
+                                                    if (_e962 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e951 = global_2.member[_e888].member[_e945];
-                                                    let _e952 = (6u + _e463);
-                                                    if (_e952 < 9u) {
+                                                    let _e968 = global_2.member[_e905].member[_e962];
+                                                    let _e969 = (6u + _e453);
+                                                    if (_e969 < 9u) {
                                                     } else {
-                                                        phi_2707_ = true;
+                                                        phi_2663_ = true;
                                                         break;
                                                     }
-                                                    let _e958 = global_2.member[_e888].member[_e952];
-                                                    phi_1045_ = array<array<f32, 3>, 3>(array<f32, 3>(_e902, _e908, _e914), array<f32, 3>(_e922, _e929, _e936), array<f32, 3>(_e944, _e951, _e958));
+                                                    let _e975 = global_2.member[_e905].member[_e969];
+                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(_e919, _e925, _e931), array<f32, 3>(_e939, _e946, _e953), array<f32, 3>(_e961, _e968, _e975));
                                                 }
-                                                let _e962 = phi_1045_;
-                                                let _e971 = (_e962[0][2] - _e375);
-                                                let _e974 = (((_e962[0][0] - _e298) * _e399) - (_e971 * _e323));
-                                                let _e977 = (((_e962[0][1] - _e337) * _e399) - (_e971 * _e361));
-                                                let _e984 = (_e962[1][2] - _e375);
-                                                let _e987 = (((_e962[1][0] - _e298) * _e399) - (_e984 * _e323));
-                                                let _e990 = (((_e962[1][1] - _e337) * _e399) - (_e984 * _e361));
-                                                let _e997 = (_e962[2][2] - _e375);
-                                                let _e1000 = (((_e962[2][0] - _e298) * _e399) - (_e997 * _e323));
-                                                let _e1003 = (((_e962[2][1] - _e337) * _e399) - (_e997 * _e361));
-                                                let _e1004 = (_e1000 * _e990);
-                                                let _e1005 = (_e1003 * _e987);
-                                                let _e1006 = (_e974 * _e1003);
-                                                let _e1007 = (_e977 * _e1000);
-                                                let _e1008 = (_e987 * _e977);
-                                                let _e1009 = (_e990 * _e974);
-                                                let _e1014 = (((_e1004 >= _e1005) && (_e1006 >= _e1007)) && (_e1008 >= _e1009));
-                                                if (_e1014 || (((_e1004 <= _e1005) && (_e1006 <= _e1007)) && (_e1008 <= _e1009))) {
-                                                    let _e1021 = select(-1f, 1f, _e1014);
-                                                    let _e1023 = ((_e1004 - _e1005) * _e1021);
-                                                    let _e1025 = select(0f, _e1023, (_e1023 > 0f));
-                                                    let _e1027 = ((_e1006 - _e1007) * _e1021);
-                                                    let _e1029 = select(0f, _e1027, (_e1027 > 0f));
-                                                    let _e1031 = ((_e1008 - _e1009) * _e1021);
-                                                    let _e1033 = select(0f, _e1031, (_e1031 > 0f));
-                                                    let _e1035 = ((_e1025 + _e1029) + _e1033);
-                                                    if (_e1035 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1611_ = type_25();
-                                                        phi_1612_ = true;
+                                                let _e979 = phi_1032_;
+                                                let _e988 = (_e979[0][2] - _e365);
+                                                let _e991 = (((_e979[0][0] - _e288) * _e389) - (_e988 * _e313));
+                                                let _e994 = (((_e979[0][1] - _e327) * _e389) - (_e988 * _e351));
+                                                let _e1001 = (_e979[1][2] - _e365);
+                                                let _e1004 = (((_e979[1][0] - _e288) * _e389) - (_e1001 * _e313));
+                                                let _e1007 = (((_e979[1][1] - _e327) * _e389) - (_e1001 * _e351));
+                                                let _e1014 = (_e979[2][2] - _e365);
+                                                let _e1017 = (((_e979[2][0] - _e288) * _e389) - (_e1014 * _e313));
+                                                let _e1020 = (((_e979[2][1] - _e327) * _e389) - (_e1014 * _e351));
+                                                let _e1021 = (_e1017 * _e1007);
+                                                let _e1022 = (_e1020 * _e1004);
+                                                let _e1023 = (_e991 * _e1020);
+                                                let _e1024 = (_e994 * _e1017);
+                                                let _e1025 = (_e1004 * _e994);
+                                                let _e1026 = (_e1007 * _e991);
+                                                let _e1031 = (((_e1021 >= _e1022) && (_e1023 >= _e1024)) && (_e1025 >= _e1026));
+                                                if (_e1031 || (((_e1021 <= _e1022) && (_e1023 <= _e1024)) && (_e1025 <= _e1026))) {
+                                                    let _e1038 = select(-1f, 1f, _e1031);
+                                                    let _e1040 = ((_e1021 - _e1022) * _e1038);
+                                                    let _e1042 = select(0f, _e1040, (_e1040 > 0f));
+                                                    let _e1044 = ((_e1023 - _e1024) * _e1038);
+                                                    let _e1046 = select(0f, _e1044, (_e1044 > 0f));
+                                                    let _e1048 = ((_e1025 - _e1026) * _e1038);
+                                                    let _e1050 = select(0f, _e1048, (_e1048 > 0f));
+                                                    let _e1052 = ((_e1042 + _e1046) + _e1050);
+                                                    if (_e1052 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1598_ = type_25();
+                                                        phi_1599_ = true;
                                                     } else {
-                                                        let _e1038 = select(_e962[1][0], _e962[0][0], (_e962[0][0] < _e962[1][0]));
-                                                        let _e1042 = select(_e962[1][0], _e962[0][0], (_e962[0][0] > _e962[1][0]));
-                                                        let _e1046 = select(_e962[1][1], _e962[0][1], (_e962[0][1] < _e962[1][1]));
-                                                        let _e1050 = select(_e962[1][1], _e962[0][1], (_e962[0][1] > _e962[1][1]));
-                                                        let _e1054 = select(_e962[1][2], _e962[0][2], (_e962[0][2] < _e962[1][2]));
-                                                        let _e1058 = select(_e962[1][2], _e962[0][2], (_e962[0][2] > _e962[1][2]));
-                                                        let _e1063 = ((select(_e962[2][0], _e1038, (_e1038 < _e962[2][0])) - _e321) * _e326);
-                                                        let _e1064 = ((select(_e962[2][0], _e1042, (_e1042 > _e962[2][0])) - _e322) * _e326);
-                                                        let _e1067 = ((select(_e962[2][1], _e1046, (_e1046 < _e962[2][1])) - _e359) * _e364);
-                                                        let _e1068 = ((select(_e962[2][1], _e1050, (_e1050 > _e962[2][1])) - _e360) * _e364);
-                                                        let _e1071 = ((select(_e962[2][2], _e1054, (_e1054 < _e962[2][2])) - _e397) * _e402);
-                                                        let _e1072 = ((select(_e962[2][2], _e1058, (_e1058 > _e962[2][2])) - _e398) * _e402);
-                                                        let _e1074 = select(_e1072, _e1071, (_e1071 < _e1072));
-                                                        let _e1076 = select(_e1072, _e1071, (_e1071 > _e1072));
-                                                        let _e1078 = select(_e1064, _e1063, (_e1063 < _e1064));
-                                                        let _e1080 = select(_e1068, _e1067, (_e1067 < _e1068));
-                                                        let _e1082 = select(_e1080, _e1078, (_e1078 > _e1080));
-                                                        let _e1084 = select(_e1074, _e1082, (_e1082 > _e1074));
-                                                        let _e1086 = select(_e1064, _e1063, (_e1063 > _e1064));
-                                                        let _e1088 = select(_e1068, _e1067, (_e1067 > _e1068));
-                                                        let _e1090 = select(_e1088, _e1086, (_e1086 < _e1088));
-                                                        let _e1092 = select(_e1076, _e1090, (_e1090 < _e1076));
-                                                        let _e1093 = -(_e1074);
-                                                        let _e1099 = select(_e449, _e1084, (_e1084 > _e449));
-                                                        if (_e1099 > (_e1092 + (select(_e1093, _e1076, (_e1076 > _e1093)) * 0.0000019073523f))) {
-                                                            phi_1606_ = type_25();
-                                                            phi_1607_ = true;
+                                                        let _e1055 = select(_e979[1][0], _e979[0][0], (_e979[0][0] < _e979[1][0]));
+                                                        let _e1059 = select(_e979[1][0], _e979[0][0], (_e979[0][0] > _e979[1][0]));
+                                                        let _e1063 = select(_e979[1][1], _e979[0][1], (_e979[0][1] < _e979[1][1]));
+                                                        let _e1067 = select(_e979[1][1], _e979[0][1], (_e979[0][1] > _e979[1][1]));
+                                                        let _e1071 = select(_e979[1][2], _e979[0][2], (_e979[0][2] < _e979[1][2]));
+                                                        let _e1075 = select(_e979[1][2], _e979[0][2], (_e979[0][2] > _e979[1][2]));
+                                                        let _e1080 = ((select(_e979[2][0], _e1055, (_e1055 < _e979[2][0])) - _e311) * _e316);
+                                                        let _e1081 = ((select(_e979[2][0], _e1059, (_e1059 > _e979[2][0])) - _e312) * _e316);
+                                                        let _e1084 = ((select(_e979[2][1], _e1063, (_e1063 < _e979[2][1])) - _e349) * _e354);
+                                                        let _e1085 = ((select(_e979[2][1], _e1067, (_e1067 > _e979[2][1])) - _e350) * _e354);
+                                                        let _e1088 = ((select(_e979[2][2], _e1071, (_e1071 < _e979[2][2])) - _e387) * _e392);
+                                                        let _e1089 = ((select(_e979[2][2], _e1075, (_e1075 > _e979[2][2])) - _e388) * _e392);
+                                                        let _e1091 = select(_e1089, _e1088, (_e1088 < _e1089));
+                                                        let _e1093 = select(_e1089, _e1088, (_e1088 > _e1089));
+                                                        let _e1095 = select(_e1081, _e1080, (_e1080 < _e1081));
+                                                        let _e1097 = select(_e1085, _e1084, (_e1084 < _e1085));
+                                                        let _e1099 = select(_e1097, _e1095, (_e1095 > _e1097));
+                                                        let _e1101 = select(_e1091, _e1099, (_e1099 > _e1091));
+                                                        let _e1103 = select(_e1081, _e1080, (_e1080 > _e1081));
+                                                        let _e1105 = select(_e1085, _e1084, (_e1084 > _e1085));
+                                                        let _e1107 = select(_e1105, _e1103, (_e1103 < _e1105));
+                                                        let _e1109 = select(_e1093, _e1107, (_e1107 < _e1093));
+                                                        let _e1110 = -(_e1091);
+                                                        let _e1116 = select(_e439, _e1101, (_e1101 > _e439));
+                                                        if (_e1116 > (_e1109 + (select(_e1110, _e1093, (_e1093 > _e1110)) * 0.0000019073523f))) {
+                                                            phi_1593_ = type_25();
+                                                            phi_1594_ = true;
                                                         } else {
-                                                            let _e1101 = (_e1099 > _e860.member.member_1);
-                                                            if _e1101 {
-                                                                phi_1605_ = type_25();
+                                                            let _e1118 = (_e1116 > _e877.member.member_1);
+                                                            if _e1118 {
+                                                                phi_1592_ = type_25();
                                                             } else {
-                                                                let _e1105 = (_e962[1][0] - _e962[0][0]);
-                                                                let _e1106 = (_e962[1][1] - _e962[0][1]);
-                                                                let _e1107 = (_e962[1][2] - _e962[0][2]);
-                                                                let _e1108 = vec3<f32>(_e1105, _e1106, _e1107);
-                                                                let _e1109 = (_e962[2][0] - _e962[1][0]);
-                                                                let _e1110 = (_e962[2][1] - _e962[1][1]);
-                                                                let _e1111 = (_e962[2][2] - _e962[1][2]);
-                                                                let _e1112 = vec3<f32>(_e1109, _e1110, _e1111);
-                                                                let _e1113 = (_e962[0][0] - _e962[2][0]);
-                                                                let _e1114 = (_e962[0][1] - _e962[2][1]);
-                                                                let _e1115 = (_e962[0][2] - _e962[2][2]);
-                                                                let _e1116 = vec3<f32>(_e1113, _e1114, _e1115);
-                                                                let _e1119 = bitcast<f32>((bitcast<u32>(_e1105) & 2147483647u));
-                                                                let _e1122 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
-                                                                let _e1124 = select(_e1122, _e1119, (_e1119 > _e1122));
-                                                                let _e1127 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
-                                                                let _e1129 = select(_e1127, _e1124, (_e1124 > _e1127));
-                                                                let _e1132 = bitcast<f32>((bitcast<u32>(_e1109) & 2147483647u));
-                                                                let _e1135 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
-                                                                let _e1137 = select(_e1135, _e1132, (_e1132 > _e1135));
-                                                                let _e1140 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
-                                                                let _e1142 = select(_e1140, _e1137, (_e1137 > _e1140));
-                                                                let _e1145 = bitcast<f32>((bitcast<u32>(_e1113) & 2147483647u));
-                                                                let _e1148 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
-                                                                let _e1150 = select(_e1148, _e1145, (_e1145 > _e1148));
-                                                                let _e1153 = bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u));
-                                                                let _e1155 = select(_e1153, _e1150, (_e1150 > _e1153));
-                                                                let _e1157 = select(_e1142, _e1129, (_e1129 > _e1142));
-                                                                let _e1159 = select(_e1155, _e1157, (_e1157 > _e1155));
-                                                                if (_e1129 == _e1159) {
-                                                                    phi_1516_ = _e1112;
-                                                                    phi_1517_ = _e1116;
+                                                                let _e1122 = (_e979[1][0] - _e979[0][0]);
+                                                                let _e1123 = (_e979[1][1] - _e979[0][1]);
+                                                                let _e1124 = (_e979[1][2] - _e979[0][2]);
+                                                                let _e1125 = vec3<f32>(_e1122, _e1123, _e1124);
+                                                                let _e1126 = (_e979[2][0] - _e979[1][0]);
+                                                                let _e1127 = (_e979[2][1] - _e979[1][1]);
+                                                                let _e1128 = (_e979[2][2] - _e979[1][2]);
+                                                                let _e1129 = vec3<f32>(_e1126, _e1127, _e1128);
+                                                                let _e1130 = (_e979[0][0] - _e979[2][0]);
+                                                                let _e1131 = (_e979[0][1] - _e979[2][1]);
+                                                                let _e1132 = (_e979[0][2] - _e979[2][2]);
+                                                                let _e1133 = vec3<f32>(_e1130, _e1131, _e1132);
+                                                                let _e1136 = bitcast<f32>((bitcast<u32>(_e1122) & 2147483647u));
+                                                                let _e1139 = bitcast<f32>((bitcast<u32>(_e1123) & 2147483647u));
+                                                                let _e1141 = select(_e1139, _e1136, (_e1136 > _e1139));
+                                                                let _e1144 = bitcast<f32>((bitcast<u32>(_e1124) & 2147483647u));
+                                                                let _e1146 = select(_e1144, _e1141, (_e1141 > _e1144));
+                                                                let _e1149 = bitcast<f32>((bitcast<u32>(_e1126) & 2147483647u));
+                                                                let _e1152 = bitcast<f32>((bitcast<u32>(_e1127) & 2147483647u));
+                                                                let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
+                                                                let _e1157 = bitcast<f32>((bitcast<u32>(_e1128) & 2147483647u));
+                                                                let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
+                                                                let _e1162 = bitcast<f32>((bitcast<u32>(_e1130) & 2147483647u));
+                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1131) & 2147483647u));
+                                                                let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
+                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
+                                                                let _e1174 = select(_e1159, _e1146, (_e1146 > _e1159));
+                                                                let _e1176 = select(_e1172, _e1174, (_e1174 > _e1172));
+                                                                if (_e1146 == _e1176) {
+                                                                    phi_1503_ = _e1129;
+                                                                    phi_1504_ = _e1133;
                                                                 } else {
-                                                                    let _e1162 = vec3((_e1142 == _e1159));
-                                                                    phi_1516_ = select(_e1108, _e1116, _e1162);
-                                                                    phi_1517_ = select(_e1112, _e1108, _e1162);
+                                                                    let _e1179 = vec3((_e1159 == _e1176));
+                                                                    phi_1503_ = select(_e1125, _e1133, _e1179);
+                                                                    phi_1504_ = select(_e1129, _e1125, _e1179);
                                                                 }
-                                                                let _e1166 = phi_1516_;
-                                                                let _e1168 = phi_1517_;
-                                                                let _e1175 = ((_e1166.y * _e1168.z) - (_e1168.y * _e1166.z));
-                                                                let _e1180 = ((_e1166.z * _e1168.x) - (_e1168.z * _e1166.x));
-                                                                let _e1183 = ((_e1166.x * _e1168.y) - (_e1168.x * _e1166.y));
-                                                                if (_e1025 >= _e1029) {
-                                                                    phi_1548_ = select(true, false, (_e1025 >= _e1033));
+                                                                let _e1183 = phi_1503_;
+                                                                let _e1185 = phi_1504_;
+                                                                let _e1192 = ((_e1183.y * _e1185.z) - (_e1185.y * _e1183.z));
+                                                                let _e1197 = ((_e1183.z * _e1185.x) - (_e1185.z * _e1183.x));
+                                                                let _e1200 = ((_e1183.x * _e1185.y) - (_e1185.x * _e1183.y));
+                                                                if (_e1042 >= _e1046) {
+                                                                    phi_1535_ = select(true, false, (_e1042 >= _e1050));
                                                                 } else {
-                                                                    phi_1548_ = true;
+                                                                    phi_1535_ = true;
                                                                 }
-                                                                let _e1188 = phi_1548_;
-                                                                if _e1188 {
-                                                                    phi_1557_ = select(vec3<f32>(_e962[2][0], _e962[2][1], _e962[2][2]), vec3<f32>(_e962[1][0], _e962[1][1], _e962[1][2]), vec3((_e1029 >= _e1033)));
+                                                                let _e1205 = phi_1535_;
+                                                                if _e1205 {
+                                                                    phi_1544_ = select(vec3<f32>(_e979[2][0], _e979[2][1], _e979[2][2]), vec3<f32>(_e979[1][0], _e979[1][1], _e979[1][2]), vec3((_e1046 >= _e1050)));
                                                                 } else {
-                                                                    phi_1557_ = vec3<f32>(_e962[0][0], _e962[0][1], _e962[0][2]);
+                                                                    phi_1544_ = vec3<f32>(_e979[0][0], _e979[0][1], _e979[0][2]);
                                                                 }
-                                                                let _e1193 = phi_1557_;
-                                                                let _e1210 = ((((_e1175 * (_e1193.x - _e298)) + (_e1180 * (_e1193.y - _e337))) + (_e1183 * (_e1193.z - _e375))) / (((_e1175 * _e323) + (_e1180 * _e361)) + (_e1183 * _e399)));
-                                                                let _e1212 = select(_e1092, _e1210, (_e1210 < _e1092));
-                                                                let _e1214 = select(_e1084, _e1212, (_e1212 > _e1084));
-                                                                if (_e1214 >= _e449) {
-                                                                    let _e1216 = (_e1214 <= _e860.member.member_1);
-                                                                    if _e1216 {
-                                                                        let _e1217 = (1f / _e1035);
-                                                                        phi_1597_ = type_25(_e1214, (_e1029 * _e1217), (_e1033 * _e1217), _e895);
+                                                                let _e1210 = phi_1544_;
+                                                                let _e1227 = ((((_e1192 * (_e1210.x - _e288)) + (_e1197 * (_e1210.y - _e327))) + (_e1200 * (_e1210.z - _e365))) / (((_e1192 * _e313) + (_e1197 * _e351)) + (_e1200 * _e389)));
+                                                                let _e1229 = select(_e1109, _e1227, (_e1227 < _e1109));
+                                                                let _e1231 = select(_e1101, _e1229, (_e1229 > _e1101));
+                                                                if (_e1231 >= _e439) {
+                                                                    let _e1233 = (_e1231 <= _e877.member.member_1);
+                                                                    if _e1233 {
+                                                                        let _e1234 = (1f / _e1052);
+                                                                        phi_1584_ = type_25(_e1231, (_e1046 * _e1234), (_e1050 * _e1234), _e912);
                                                                     } else {
-                                                                        phi_1597_ = type_25();
+                                                                        phi_1584_ = type_25();
                                                                     }
-                                                                    let _e1222 = phi_1597_;
-                                                                    phi_1599_ = _e1222;
-                                                                    phi_1600_ = select(true, false, _e1216);
+                                                                    let _e1239 = phi_1584_;
+                                                                    phi_1586_ = _e1239;
+                                                                    phi_1587_ = select(true, false, _e1233);
                                                                 } else {
-                                                                    phi_1599_ = type_25();
-                                                                    phi_1600_ = true;
+                                                                    phi_1586_ = type_25();
+                                                                    phi_1587_ = true;
                                                                 }
-                                                                let _e1225 = phi_1599_;
-                                                                let _e1227 = phi_1600_;
-                                                                if _e1227 {
-                                                                    phi_1604_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1242 = phi_1586_;
+                                                                let _e1244 = phi_1587_;
+                                                                if _e1244 {
+                                                                    phi_1591_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1604_ = _e1225;
+                                                                    phi_1591_ = _e1242;
                                                                 }
-                                                                let _e1229 = phi_1604_;
-                                                                phi_1605_ = _e1229;
+                                                                let _e1246 = phi_1591_;
+                                                                phi_1592_ = _e1246;
                                                             }
-                                                            let _e1231 = phi_1605_;
-                                                            phi_1606_ = _e1231;
-                                                            phi_1607_ = _e1101;
+                                                            let _e1248 = phi_1592_;
+                                                            phi_1593_ = _e1248;
+                                                            phi_1594_ = _e1118;
                                                         }
-                                                        let _e1233 = phi_1606_;
-                                                        let _e1235 = phi_1607_;
-                                                        phi_1611_ = _e1233;
-                                                        phi_1612_ = _e1235;
+                                                        let _e1250 = phi_1593_;
+                                                        let _e1252 = phi_1594_;
+                                                        phi_1598_ = _e1250;
+                                                        phi_1599_ = _e1252;
                                                     }
-                                                    let _e1237 = phi_1611_;
-                                                    let _e1239 = phi_1612_;
-                                                    phi_1616_ = _e1237;
-                                                    phi_1617_ = _e1239;
+                                                    let _e1254 = phi_1598_;
+                                                    let _e1256 = phi_1599_;
+                                                    phi_1603_ = _e1254;
+                                                    phi_1604_ = _e1256;
                                                 } else {
-                                                    phi_1616_ = type_25();
-                                                    phi_1617_ = true;
+                                                    phi_1603_ = type_25();
+                                                    phi_1604_ = true;
                                                 }
-                                                let _e1241 = phi_1616_;
-                                                let _e1243 = phi_1617_;
-                                                if _e1243 {
-                                                    phi_1621_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1258 = phi_1603_;
+                                                let _e1260 = phi_1604_;
+                                                if _e1260 {
+                                                    phi_1608_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1621_ = _e1241;
+                                                    phi_1608_ = _e1258;
                                                 }
-                                                let _e1245 = phi_1621_;
-                                                if (_e1245.member_3 != 4294967295u) {
-                                                    if (_e895 != 4294967295u) {
-                                                        if (_e1245.member < _e860.member.member.member) {
-                                                            phi_1647_ = true;
+                                                let _e1262 = phi_1608_;
+                                                if (_e1262.member_3 != 4294967295u) {
+                                                    if (_e912 != 4294967295u) {
+                                                        if (_e1262.member < _e877.member.member.member) {
+                                                            phi_1634_ = true;
                                                         } else {
-                                                            if (_e1245.member == _e860.member.member.member) {
-                                                                phi_1646_ = (_e1245.member_3 < _e860.member.member.member_3);
+                                                            if (_e1262.member == _e877.member.member.member) {
+                                                                phi_1633_ = (_e1262.member_3 < _e877.member.member.member_3);
                                                             } else {
-                                                                phi_1646_ = false;
+                                                                phi_1633_ = false;
                                                             }
-                                                            let _e1260 = phi_1646_;
-                                                            phi_1647_ = _e1260;
+                                                            let _e1277 = phi_1633_;
+                                                            phi_1634_ = _e1277;
                                                         }
-                                                        let _e1262 = phi_1647_;
-                                                        if _e1262 {
-                                                            phi_1654_ = type_38(type_32(_e1245, _e1245.member), _e887.member_1, _e887.member_2);
+                                                        let _e1279 = phi_1634_;
+                                                        if _e1279 {
+                                                            phi_1641_ = type_38(type_32(_e1262, _e1262.member), _e904.member_1, _e904.member_2);
                                                         } else {
-                                                            phi_1654_ = _e887;
+                                                            phi_1641_ = _e904;
                                                         }
-                                                        let _e1269 = phi_1654_;
-                                                        phi_1655_ = _e1269;
+                                                        let _e1286 = phi_1641_;
+                                                        phi_1642_ = _e1286;
                                                     } else {
-                                                        phi_1655_ = _e887;
+                                                        phi_1642_ = _e904;
                                                     }
-                                                    let _e1271 = phi_1655_;
-                                                    phi_1656_ = _e1271;
+                                                    let _e1288 = phi_1642_;
+                                                    phi_1643_ = _e1288;
                                                 } else {
-                                                    phi_1656_ = _e887;
+                                                    phi_1643_ = _e904;
                                                 }
-                                                let _e1273 = phi_1656_;
-                                                phi_907_ = _e1273;
+                                                let _e1290 = phi_1643_;
+                                                phi_894_ = _e1290;
                                             } else {
-                                                phi_907_ = type_38();
+                                                phi_894_ = type_38();
                                             }
-                                            let _e1275 = phi_907_;
+                                            let _e1292 = phi_894_;
                                             continue;
                                             continuing {
-                                                phi_906_ = _e1275;
-                                                phi_909_ = _e875;
-                                                phi_2707_ = _e482;
-                                                break if !(_e881);
+                                                phi_893_ = _e1292;
+                                                phi_896_ = _e892;
+                                                phi_2663_ = _e472;
+                                                break if !(_e898);
                                             }
                                         }
-                                        let _e1278 = phi_2707_;
-                                        phi_2770_ = _e1278;
-                                        if _e1278 {
+                                        let _e1295 = phi_2663_;
+                                        phi_2777_ = _e1295;
+                                        if _e1295 {
                                             break;
                                         }
-                                        phi_2774_ = _e1278;
-                                        let _e1432 = local_20;
-                                        phi_2541_ = _e1432;
-                                        phi_2542_ = _e524;
-                                        phi_2543_ = false;
-                                        phi_2544_ = _e528;
+                                        phi_2781_ = _e1295;
+                                        let _e1441 = local_12;
+                                        phi_2595_ = _e1441;
+                                        phi_2596_ = _e514;
+                                        phi_2597_ = false;
+                                        phi_2598_ = _e518;
                                     } else {
-                                        local_8 = array<f32, 3>(_e524.member.member[0], _e524.member.member[1], _e524.member.member[2]);
-                                        local_7 = array<f32, 3>(_e524.member.member_1[0], _e524.member.member_1[1], _e524.member.member_1[2]);
-                                        let _e554 = (_e524.member_1 < _e87);
-                                        if _e554 {
-                                            if _e554 {
+                                        let _e533 = (_e514.member_1 < _e77);
+                                        if _e533 {
+                                            if _e533 {
                                             } else {
-                                                phi_2770_ = true;
+                                                phi_2777_ = true;
                                                 break;
                                             }
-                                            let _e556 = global_5.member[_e524.member_1];
-                                            phi_1693_ = _e556;
+                                            let _e535 = global_5.member[_e514.member_1];
+                                            phi_1665_ = _e535;
                                         } else {
-                                            phi_1693_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1665_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e558 = phi_1693_;
-                                        let _e560 = array<u32, 3>(_e249, _e248, _e250);
-                                        local_15 = _e560;
-                                        local_11 = array<f32, 3>(0f, 0f, 0f);
-                                        local_10 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1702_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e562 = phi_1702_;
-                                            if (_e562.member < _e562.member_1) {
-                                                phi_1703_ = type_4((_e562.member + 1u), _e562.member_1);
-                                                phi_1726_ = type_4(1u, _e562.member);
+                                        let _e537 = phi_1665_;
+                                        let _e552 = ((10u * _e239) & 31u);
+                                        let _e555 = ((_e537.member[0] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e560 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e111));
+                                        let _e566 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e555) * _e560)) ^ _e111)));
+                                        let _e570 = select(select(_e514.member.member_1[0], _e566, (_e566 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e555 == 1023u));
+                                        let _e572 = ((10u * _e238) & 31u);
+                                        let _e575 = ((_e537.member[0] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e580 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e111));
+                                        let _e586 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e575) * _e580)) ^ _e111)));
+                                        let _e590 = select(select(_e514.member.member_1[1], _e586, (_e586 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e575 == 1023u));
+                                        let _e592 = ((10u * _e240) & 31u);
+                                        let _e595 = ((_e537.member[0] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e600 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e111));
+                                        let _e606 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e595) * _e600)) ^ _e111)));
+                                        let _e610 = select(select(_e514.member.member_1[2], _e606, (_e606 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e595 == 1023u));
+                                        let _e613 = ((_e537.member[1] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e619 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e613) * _e560)) ^ _e111)));
+                                        let _e623 = select(select(_e514.member.member_1[0], _e619, (_e619 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e613 == 1023u));
+                                        let _e626 = ((_e537.member[1] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e632 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e626) * _e580)) ^ _e111)));
+                                        let _e636 = select(select(_e514.member.member_1[1], _e632, (_e632 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e626 == 1023u));
+                                        let _e639 = ((_e537.member[1] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e645 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e639) * _e600)) ^ _e111)));
+                                        let _e649 = select(select(_e514.member.member_1[2], _e645, (_e645 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e639 == 1023u));
+                                        let _e655 = ((_e537.member_1[0] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e661 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e655) * _e560)) ^ _e111)));
+                                        let _e665 = select(select(_e514.member.member_1[0], _e661, (_e661 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e655 == 1023u));
+                                        let _e668 = ((_e537.member_1[0] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e674 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e668) * _e580)) ^ _e111)));
+                                        let _e678 = select(select(_e514.member.member_1[1], _e674, (_e674 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e668 == 1023u));
+                                        let _e681 = ((_e537.member_1[0] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e687 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e681) * _e600)) ^ _e111)));
+                                        let _e691 = select(select(_e514.member.member_1[2], _e687, (_e687 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e681 == 1023u));
+                                        let _e694 = ((_e537.member_1[1] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e700 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e694) * _e560)) ^ _e111)));
+                                        let _e704 = select(select(_e514.member.member_1[0], _e700, (_e700 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e694 == 1023u));
+                                        let _e707 = ((_e537.member_1[1] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e713 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e707) * _e580)) ^ _e111)));
+                                        let _e717 = select(select(_e514.member.member_1[1], _e713, (_e713 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e707 == 1023u));
+                                        let _e720 = ((_e537.member_1[1] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e726 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e720) * _e600)) ^ _e111)));
+                                        let _e730 = select(select(_e514.member.member_1[2], _e726, (_e726 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e720 == 1023u));
+                                        let _e735 = type_49(type_47(array<f32, 3>(_e570, _e590, _e610), array<f32, 3>(_e623, _e636, _e649)), _e537.member_2);
+                                        let _e740 = type_49(type_47(array<f32, 3>(_e665, _e678, _e691), array<f32, 3>(_e704, _e717, _e730)), _e537.member_3);
+                                        let _e747 = ((_e570 - _e311) * _e316);
+                                        let _e748 = ((_e665 - _e311) * _e316);
+                                        let _e749 = ((_e623 - _e312) * _e316);
+                                        let _e750 = ((_e704 - _e312) * _e316);
+                                        let _e755 = ((_e590 - _e349) * _e354);
+                                        let _e756 = ((_e678 - _e349) * _e354);
+                                        let _e757 = ((_e636 - _e350) * _e354);
+                                        let _e758 = ((_e717 - _e350) * _e354);
+                                        let _e763 = ((_e610 - _e387) * _e392);
+                                        let _e764 = ((_e691 - _e387) * _e392);
+                                        let _e765 = ((_e649 - _e388) * _e392);
+                                        let _e766 = ((_e730 - _e388) * _e392);
+                                        let _e768 = select(_e765, _e763, (_e763 < _e765));
+                                        let _e770 = select(_e766, _e764, (_e764 < _e766));
+                                        let _e772 = select(_e765, _e763, (_e763 > _e765));
+                                        let _e774 = select(_e766, _e764, (_e764 > _e766));
+                                        let _e776 = select(_e749, _e747, (_e747 < _e749));
+                                        let _e778 = select(_e750, _e748, (_e748 < _e750));
+                                        let _e780 = select(_e757, _e755, (_e755 < _e757));
+                                        let _e782 = select(_e758, _e756, (_e756 < _e758));
+                                        let _e784 = select(_e780, _e776, (_e776 > _e780));
+                                        let _e786 = select(_e782, _e778, (_e778 > _e782));
+                                        let _e788 = select(_e768, _e784, (_e784 > _e768));
+                                        let _e790 = select(_e770, _e786, (_e786 > _e770));
+                                        let _e792 = select(_e749, _e747, (_e747 > _e749));
+                                        let _e794 = select(_e750, _e748, (_e748 > _e750));
+                                        let _e796 = select(_e757, _e755, (_e755 > _e757));
+                                        let _e798 = select(_e758, _e756, (_e756 > _e758));
+                                        let _e800 = select(_e796, _e792, (_e792 < _e796));
+                                        let _e802 = select(_e798, _e794, (_e794 < _e798));
+                                        let _e807 = -(_e768);
+                                        let _e808 = -(_e770);
+                                        let _e815 = (select(_e772, _e800, (_e800 < _e772)) + (select(_e807, _e772, (_e772 > _e807)) * 0.0000019073523f));
+                                        let _e816 = (select(_e774, _e802, (_e802 < _e774)) + (select(_e808, _e774, (_e774 > _e808)) * 0.0000019073523f));
+                                        let _e818 = select(_e439, _e788, (_e788 > _e439));
+                                        let _e820 = select(_e439, _e790, (_e790 > _e439));
+                                        let _e825 = (_e818 <= select(_e474.member.member_1, _e815, (_e815 < _e474.member.member_1)));
+                                        let _e826 = (_e820 <= select(_e474.member.member_1, _e816, (_e816 < _e474.member.member_1)));
+                                        let _e827 = (_e818 <= _e820);
+                                        if _e825 {
+                                            if _e826 {
+                                                if _e827 {
+                                                    phi_2497_ = _e740;
+                                                } else {
+                                                    phi_2497_ = _e735;
+                                                }
+                                                let _e829 = phi_2497_;
+                                                let _e837 = (_e518 % 128u);
+                                                let _e838 = (_e837 < 128u);
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e837] = _e829.member_1;
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e837] = _e829.member.member[0];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e837] = _e829.member.member[1];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e837] = _e829.member.member[2];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e837] = _e829.member.member_1[0];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e837] = _e829.member.member_1[1];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local[_e837] = _e829.member.member_1[2];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2777_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e837] = select(_e820, _e818, (_e818 > _e820));
+                                                if _e827 {
+                                                    phi_2574_ = _e735;
+                                                } else {
+                                                    phi_2574_ = _e740;
+                                                }
+                                                let _e855 = phi_2574_;
+                                                phi_2575_ = _e855;
+                                                phi_2576_ = (_e518 + 1u);
                                             } else {
-                                                phi_1703_ = _e562;
-                                                phi_1726_ = type_4(0u, type_4().member_1);
+                                                phi_2575_ = type_49();
+                                                phi_2576_ = u32();
                                             }
-                                            let _e575 = phi_1703_;
-                                            let _e577 = phi_1726_;
-                                            let _e581 = (bitcast<i32>(_e577.member) != 0i);
-                                            if _e581 {
-                                                let _e582 = (_e577.member_1 < 3u);
-                                                if _e582 {
-                                                } else {
-                                                    phi_2639_ = true;
-                                                    break;
-                                                }
-                                                let _e584 = local_15[_e577.member_1];
-                                                if _e582 {
-                                                } else {
-                                                    phi_2639_ = true;
-                                                    break;
-                                                }
-                                                let _e586 = local_8[_e577.member_1];
-                                                if _e582 {
-                                                } else {
-                                                    phi_2639_ = true;
-                                                    break;
-                                                }
-                                                let _e588 = local_7[_e577.member_1];
-                                                let _e591 = ((10u * _e584) & 31u);
-                                                let _e594 = ((_e558.member[0] >> bitcast<u32>(_e591)) & 1023u);
-                                                let _e599 = bitcast<f32>((bitcast<u32>(((_e588 - _e586) * 0.0009775171f)) ^ _e121));
-                                                let _e605 = (_e586 + bitcast<f32>((bitcast<u32>((f32(_e594) * _e599)) ^ _e121)));
-                                                if _e582 {
-                                                } else {
-                                                    phi_2639_ = true;
-                                                    break;
-                                                }
-                                                local_11[_e577.member_1] = select(select(_e588, _e605, (_e605 < _e588)), _e588, (_e594 == 1023u));
-                                                let _e614 = ((_e558.member[1] >> bitcast<u32>(_e591)) & 1023u);
-                                                let _e620 = (_e586 + bitcast<f32>((bitcast<u32>((f32(_e614) * _e599)) ^ _e121)));
-                                                if _e582 {
-                                                } else {
-                                                    phi_2639_ = true;
-                                                    break;
-                                                }
-                                                local_10[_e577.member_1] = select(select(_e588, _e620, (_e620 < _e588)), _e588, (_e614 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1702_ = _e575;
-                                                phi_2639_ = _e482;
-                                                break if !(_e581);
-                                            }
-                                        }
-                                        let _e628 = phi_2639_;
-                                        phi_2770_ = _e628;
-                                        if _e628 {
-                                            break;
-                                        }
-                                        let _e629 = local_10;
-                                        let _e630 = local_11;
-                                        local_14 = _e560;
-                                        local_13 = array<f32, 3>(0f, 0f, 0f);
-                                        local_12 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1856_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e639 = phi_1856_;
-                                            if (_e639.member < _e639.member_1) {
-                                                phi_1857_ = type_4((_e639.member + 1u), _e639.member_1);
-                                                phi_1880_ = type_4(1u, _e639.member);
-                                            } else {
-                                                phi_1857_ = _e639;
-                                                phi_1880_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e652 = phi_1857_;
-                                            let _e654 = phi_1880_;
-                                            let _e658 = (bitcast<i32>(_e654.member) != 0i);
-                                            if _e658 {
-                                                let _e659 = (_e654.member_1 < 3u);
-                                                if _e659 {
-                                                } else {
-                                                    phi_2699_ = true;
-                                                    break;
-                                                }
-                                                let _e661 = local_14[_e654.member_1];
-                                                if _e659 {
-                                                } else {
-                                                    phi_2699_ = true;
-                                                    break;
-                                                }
-                                                let _e663 = local_8[_e654.member_1];
-                                                if _e659 {
-                                                } else {
-                                                    phi_2699_ = true;
-                                                    break;
-                                                }
-                                                let _e665 = local_7[_e654.member_1];
-                                                let _e668 = ((10u * _e661) & 31u);
-                                                let _e671 = ((_e558.member_1[0] >> bitcast<u32>(_e668)) & 1023u);
-                                                let _e676 = bitcast<f32>((bitcast<u32>(((_e665 - _e663) * 0.0009775171f)) ^ _e121));
-                                                let _e682 = (_e663 + bitcast<f32>((bitcast<u32>((f32(_e671) * _e676)) ^ _e121)));
-                                                if _e659 {
-                                                } else {
-                                                    phi_2699_ = true;
-                                                    break;
-                                                }
-                                                local_13[_e654.member_1] = select(select(_e665, _e682, (_e682 < _e665)), _e665, (_e671 == 1023u));
-                                                let _e691 = ((_e558.member_1[1] >> bitcast<u32>(_e668)) & 1023u);
-                                                let _e697 = (_e663 + bitcast<f32>((bitcast<u32>((f32(_e691) * _e676)) ^ _e121)));
-                                                if _e659 {
-                                                } else {
-                                                    phi_2699_ = true;
-                                                    break;
-                                                }
-                                                local_12[_e654.member_1] = select(select(_e665, _e697, (_e697 < _e665)), _e665, (_e691 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1856_ = _e652;
-                                                phi_2699_ = _e628;
-                                                break if !(_e658);
-                                            }
-                                        }
-                                        let _e705 = phi_2699_;
-                                        phi_2770_ = _e705;
-                                        if _e705 {
-                                            break;
-                                        }
-                                        let _e706 = local_12;
-                                        let _e707 = local_13;
-                                        let _e718 = type_51(type_49(array<f32, 3>(_e630[0], _e630[1], _e630[2]), array<f32, 3>(_e629[0], _e629[1], _e629[2])), _e558.member_2);
-                                        let _e723 = type_51(type_49(array<f32, 3>(_e707[0], _e707[1], _e707[2]), array<f32, 3>(_e706[0], _e706[1], _e706[2])), _e558.member_3);
-                                        let _e730 = ((_e630[0] - _e321) * _e326);
-                                        let _e731 = ((_e707[0] - _e321) * _e326);
-                                        let _e732 = ((_e629[0] - _e322) * _e326);
-                                        let _e733 = ((_e706[0] - _e322) * _e326);
-                                        let _e738 = ((_e630[1] - _e359) * _e364);
-                                        let _e739 = ((_e707[1] - _e359) * _e364);
-                                        let _e740 = ((_e629[1] - _e360) * _e364);
-                                        let _e741 = ((_e706[1] - _e360) * _e364);
-                                        let _e746 = ((_e630[2] - _e397) * _e402);
-                                        let _e747 = ((_e707[2] - _e397) * _e402);
-                                        let _e748 = ((_e629[2] - _e398) * _e402);
-                                        let _e749 = ((_e706[2] - _e398) * _e402);
-                                        let _e751 = select(_e748, _e746, (_e746 < _e748));
-                                        let _e753 = select(_e749, _e747, (_e747 < _e749));
-                                        let _e755 = select(_e748, _e746, (_e746 > _e748));
-                                        let _e757 = select(_e749, _e747, (_e747 > _e749));
-                                        let _e759 = select(_e732, _e730, (_e730 < _e732));
-                                        let _e761 = select(_e733, _e731, (_e731 < _e733));
-                                        let _e763 = select(_e740, _e738, (_e738 < _e740));
-                                        let _e765 = select(_e741, _e739, (_e739 < _e741));
-                                        let _e767 = select(_e763, _e759, (_e759 > _e763));
-                                        let _e769 = select(_e765, _e761, (_e761 > _e765));
-                                        let _e771 = select(_e751, _e767, (_e767 > _e751));
-                                        let _e773 = select(_e753, _e769, (_e769 > _e753));
-                                        let _e775 = select(_e732, _e730, (_e730 > _e732));
-                                        let _e777 = select(_e733, _e731, (_e731 > _e733));
-                                        let _e779 = select(_e740, _e738, (_e738 > _e740));
-                                        let _e781 = select(_e741, _e739, (_e739 > _e741));
-                                        let _e783 = select(_e779, _e775, (_e775 < _e779));
-                                        let _e785 = select(_e781, _e777, (_e777 < _e781));
-                                        let _e790 = -(_e751);
-                                        let _e791 = -(_e753);
-                                        let _e798 = (select(_e755, _e783, (_e783 < _e755)) + (select(_e790, _e755, (_e755 > _e790)) * 0.0000019073523f));
-                                        let _e799 = (select(_e757, _e785, (_e785 < _e757)) + (select(_e791, _e757, (_e757 > _e791)) * 0.0000019073523f));
-                                        let _e801 = select(_e449, _e771, (_e771 > _e449));
-                                        let _e803 = select(_e449, _e773, (_e773 > _e449));
-                                        let _e808 = (_e801 <= select(_e484.member.member_1, _e798, (_e798 < _e484.member.member_1)));
-                                        let _e809 = (_e803 <= select(_e484.member.member_1, _e799, (_e799 < _e484.member.member_1)));
-                                        let _e810 = (_e801 <= _e803);
-                                        if _e808 {
-                                            if _e809 {
-                                                if _e810 {
-                                                    phi_2443_ = _e723;
-                                                } else {
-                                                    phi_2443_ = _e718;
-                                                }
-                                                let _e812 = phi_2443_;
-                                                let _e820 = (_e528 % 128u);
-                                                let _e821 = (_e820 < 128u);
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e820] = _e812.member_1;
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e820] = _e812.member.member[0];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e820] = _e812.member.member[1];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e820] = _e812.member.member[2];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e820] = _e812.member.member_1[0];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e820] = _e812.member.member_1[1];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local[_e820] = _e812.member.member_1[2];
-                                                if _e821 {
-                                                } else {
-                                                    phi_2770_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e820] = select(_e803, _e801, (_e801 > _e803));
-                                                if _e810 {
-                                                    phi_2520_ = _e718;
-                                                } else {
-                                                    phi_2520_ = _e723;
-                                                }
-                                                let _e838 = phi_2520_;
-                                                phi_2521_ = _e838;
-                                                phi_2522_ = (_e528 + 1u);
-                                            } else {
-                                                phi_2521_ = type_51();
-                                                phi_2522_ = u32();
-                                            }
-                                            let _e840 = phi_2521_;
-                                            let _e842 = phi_2522_;
-                                            phi_2524_ = _e840;
-                                            phi_2525_ = _e842;
-                                            phi_2526_ = select(true, false, _e809);
+                                            let _e857 = phi_2575_;
+                                            let _e859 = phi_2576_;
+                                            phi_2578_ = _e857;
+                                            phi_2579_ = _e859;
+                                            phi_2580_ = select(true, false, _e826);
                                         } else {
-                                            phi_2524_ = type_51();
-                                            phi_2525_ = u32();
-                                            phi_2526_ = true;
+                                            phi_2578_ = type_49();
+                                            phi_2579_ = u32();
+                                            phi_2580_ = true;
                                         }
-                                        let _e845 = phi_2524_;
-                                        let _e847 = phi_2525_;
-                                        let _e849 = phi_2526_;
-                                        if _e849 {
-                                            if _e808 {
-                                                phi_2533_ = _e718;
+                                        let _e862 = phi_2578_;
+                                        let _e864 = phi_2579_;
+                                        let _e866 = phi_2580_;
+                                        if _e866 {
+                                            if _e825 {
+                                                phi_2587_ = _e735;
                                             } else {
-                                                phi_2533_ = _e723;
+                                                phi_2587_ = _e740;
                                             }
-                                            let _e851 = phi_2533_;
-                                            phi_2538_ = _e851;
-                                            phi_2539_ = select(_e809, true, _e808);
+                                            let _e868 = phi_2587_;
+                                            phi_2592_ = _e868;
+                                            phi_2593_ = select(_e826, true, _e825);
                                         } else {
-                                            phi_2538_ = _e845;
-                                            phi_2539_ = _e526;
+                                            phi_2592_ = _e862;
+                                            phi_2593_ = _e516;
                                         }
-                                        let _e854 = phi_2538_;
-                                        let _e856 = phi_2539_;
-                                        phi_2774_ = _e705;
-                                        phi_2541_ = type_38(_e484.member, (_e484.member_1 + 1u), _e484.member_2);
-                                        phi_2542_ = _e854;
-                                        phi_2543_ = _e856;
-                                        phi_2544_ = select(_e847, _e528, _e849);
+                                        let _e871 = phi_2592_;
+                                        let _e873 = phi_2593_;
+                                        phi_2781_ = _e472;
+                                        phi_2595_ = type_38(_e474.member, (_e474.member_1 + 1u), _e474.member_2);
+                                        phi_2596_ = _e871;
+                                        phi_2597_ = _e873;
+                                        phi_2598_ = select(_e864, _e518, _e866);
                                     }
-                                    let _e1280 = phi_2774_;
-                                    let _e1282 = phi_2541_;
-                                    let _e1284 = phi_2542_;
-                                    let _e1286 = phi_2543_;
-                                    let _e1288 = phi_2544_;
-                                    phi_2773_ = _e1280;
-                                    phi_2545_ = _e1282;
-                                    phi_2546_ = _e1284;
-                                    phi_2547_ = (_e488 - 1u);
-                                    phi_2548_ = _e1286;
-                                    phi_2549_ = _e1288;
+                                    let _e1297 = phi_2781_;
+                                    let _e1299 = phi_2595_;
+                                    let _e1301 = phi_2596_;
+                                    let _e1303 = phi_2597_;
+                                    let _e1305 = phi_2598_;
+                                    phi_2780_ = _e1297;
+                                    phi_2599_ = _e1299;
+                                    phi_2600_ = _e1301;
+                                    phi_2601_ = (_e478 - 1u);
+                                    phi_2602_ = _e1303;
+                                    phi_2603_ = _e1305;
                                 } else {
-                                    phi_2773_ = _e482;
-                                    phi_2545_ = _e484;
-                                    phi_2546_ = _e524;
-                                    phi_2547_ = _e488;
-                                    phi_2548_ = _e526;
-                                    phi_2549_ = _e528;
+                                    phi_2780_ = _e472;
+                                    phi_2599_ = _e474;
+                                    phi_2600_ = _e514;
+                                    phi_2601_ = _e478;
+                                    phi_2602_ = _e516;
+                                    phi_2603_ = _e518;
                                 }
-                                let _e1290 = phi_2773_;
-                                let _e1292 = phi_2545_;
-                                let _e1294 = phi_2546_;
-                                let _e1296 = phi_2547_;
-                                let _e1298 = phi_2548_;
-                                let _e1300 = phi_2549_;
-                                phi_2772_ = _e1290;
-                                phi_2550_ = _e1292;
-                                phi_2551_ = _e1294;
-                                phi_2552_ = _e1296;
-                                phi_2553_ = _e1298;
-                                phi_2554_ = _e1300;
+                                let _e1307 = phi_2780_;
+                                let _e1309 = phi_2599_;
+                                let _e1311 = phi_2600_;
+                                let _e1313 = phi_2601_;
+                                let _e1315 = phi_2602_;
+                                let _e1317 = phi_2603_;
+                                phi_2779_ = _e1307;
+                                phi_2604_ = _e1309;
+                                phi_2605_ = _e1311;
+                                phi_2606_ = _e1313;
+                                phi_2607_ = _e1315;
+                                phi_2608_ = _e1317;
                             } else {
-                                phi_2772_ = _e482;
-                                phi_2550_ = type_38();
-                                phi_2551_ = type_51();
-                                phi_2552_ = u32();
-                                phi_2553_ = bool();
-                                phi_2554_ = u32();
+                                phi_2779_ = _e472;
+                                phi_2604_ = type_38();
+                                phi_2605_ = type_49();
+                                phi_2606_ = u32();
+                                phi_2607_ = bool();
+                                phi_2608_ = u32();
                             }
-                            let _e1302 = phi_2772_;
-                            let _e1304 = phi_2550_;
-                            let _e1306 = phi_2551_;
-                            let _e1308 = phi_2552_;
-                            let _e1310 = phi_2553_;
-                            let _e1312 = phi_2554_;
-                            phi_2771_ = _e1302;
-                            phi_781_ = _e1304;
-                            phi_784_ = _e1306;
-                            phi_786_ = _e1308;
-                            phi_788_ = _e1310;
-                            phi_790_ = _e1312;
-                            phi_2555_ = _e496;
+                            let _e1319 = phi_2779_;
+                            let _e1321 = phi_2604_;
+                            let _e1323 = phi_2605_;
+                            let _e1325 = phi_2606_;
+                            let _e1327 = phi_2607_;
+                            let _e1329 = phi_2608_;
+                            phi_2778_ = _e1319;
+                            phi_768_ = _e1321;
+                            phi_771_ = _e1323;
+                            phi_773_ = _e1325;
+                            phi_775_ = _e1327;
+                            phi_777_ = _e1329;
+                            phi_2609_ = _e486;
                         } else {
-                            phi_2771_ = _e482;
-                            phi_781_ = type_38();
-                            phi_784_ = type_51();
-                            phi_786_ = u32();
-                            phi_788_ = bool();
-                            phi_790_ = u32();
-                            phi_2555_ = false;
+                            phi_2778_ = _e472;
+                            phi_768_ = type_38();
+                            phi_771_ = type_49();
+                            phi_773_ = u32();
+                            phi_775_ = bool();
+                            phi_777_ = u32();
+                            phi_2609_ = false;
                         }
-                        let _e1314 = phi_2771_;
-                        let _e1316 = phi_781_;
-                        let _e1318 = phi_784_;
-                        let _e1320 = phi_786_;
-                        let _e1322 = phi_788_;
-                        let _e1324 = phi_790_;
-                        let _e1326 = phi_2555_;
+                        let _e1331 = phi_2778_;
+                        let _e1333 = phi_768_;
+                        let _e1335 = phi_771_;
+                        let _e1337 = phi_773_;
+                        let _e1339 = phi_775_;
+                        let _e1341 = phi_777_;
+                        let _e1343 = phi_2609_;
                         continue;
                         continuing {
-                            phi_2646_ = _e1314;
-                            phi_780_ = _e1316;
-                            phi_783_ = _e1318;
-                            phi_785_ = _e1320;
-                            phi_787_ = _e1322;
-                            phi_789_ = _e1324;
-                            phi_2770_ = _e1314;
-                            break if !(_e1326);
+                            phi_2669_ = _e1331;
+                            phi_767_ = _e1333;
+                            phi_770_ = _e1335;
+                            phi_772_ = _e1337;
+                            phi_774_ = _e1339;
+                            phi_776_ = _e1341;
+                            phi_2777_ = _e1331;
+                            break if !(_e1343);
                         }
                     }
-                    let _e1329 = phi_2770_;
-                    if _e1329 {
+                    let _e1346 = phi_2777_;
+                    if _e1346 {
                         break;
                     }
-                    let _e1331 = local_18;
-                    let _e1334 = local_19;
-                    if _e137 {
+                    let _e1348 = local_10;
+                    let _e1351 = local_11;
+                    if _e127 {
                     } else {
                         break;
                     }
-                    global_6.member[_e135][0u] = _e1331.member_1;
-                    global_6.member[_e135][1u] = _e1334.member_2;
+                    global_6.member[_e125][0u] = _e1348.member_1;
+                    global_6.member[_e125][1u] = _e1351.member_2;
                 }
             }
             break;

@@ -55,22 +55,22 @@ struct type_39 {
     member: array<type_37>,
 }
 
-struct type_43 {
+struct type_42 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_47 {
-    member: array<type_45>,
+struct type_46 {
+    member: array<type_44>,
 }
 
-struct type_51 {
-    member: type_43,
+struct type_50 {
+    member: type_42,
     member_1: u32,
 }
 
@@ -86,7 +86,7 @@ var<storage> global_4: type_39;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_17;
 @group(0) @binding(3) 
-var<storage> global_6: type_47;
+var<storage> global_6: type_46;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -96,410 +96,377 @@ fn function_() {
     var local_4: array<f32, 128>;
     var local_5: array<f32, 128>;
     var local_6: array<u32, 128>;
-    var local_7: array<f32, 3>;
+    var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var local_10: array<f32, 3>;
-    var local_11: array<f32, 128>;
-    var local_12: array<f32, 3>;
-    var local_13: array<f32, 3>;
-    var local_14: array<f32, 3>;
-    var local_15: array<f32, 3>;
-    var local_16: array<u32, 3>;
-    var local_17: array<u32, 3>;
-    var local_18: array<u32, 3>;
-    var local_19: array<array<f32, 3>, 3>;
-    var local_20: array<u32, 3>;
-    var local_21: array<f32, 3>;
-    var local_22: array<f32, 3>;
-    var phi_347_: i32;
-    var phi_348_: i32;
-    var phi_358_: bool;
-    var phi_368_: u32;
-    var phi_369_: u32;
-    var phi_371_: bool;
-    var phi_376_: u32;
+    var phi_328_: i32;
+    var phi_329_: i32;
+    var phi_339_: bool;
+    var phi_349_: u32;
+    var phi_350_: u32;
+    var phi_352_: bool;
+    var phi_357_: u32;
+    var phi_369_: i32;
     var phi_389_: i32;
-    var phi_409_: i32;
-    var phi_427_: f32;
-    var phi_433_: f32;
-    var phi_444_: f32;
-    var phi_450_: f32;
+    var phi_407_: f32;
+    var phi_413_: f32;
+    var phi_424_: f32;
+    var phi_430_: f32;
+    var phi_453_: f32;
+    var phi_464_: f32;
     var phi_473_: f32;
-    var phi_484_: f32;
-    var phi_493_: f32;
-    var phi_499_: f32;
-    var phi_510_: f32;
-    var phi_516_: f32;
+    var phi_479_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
     var phi_539_: f32;
-    var phi_550_: f32;
-    var phi_559_: f32;
-    var phi_565_: f32;
-    var phi_576_: f32;
-    var phi_582_: f32;
-    var phi_605_: f32;
-    var phi_616_: f32;
-    var phi_716_: f32;
-    var phi_717_: f32;
-    var phi_2789_: bool;
-    var phi_791_: type_33;
-    var phi_794_: type_51;
-    var phi_796_: u32;
-    var phi_798_: bool;
-    var phi_800_: u32;
-    var phi_811_: bool;
-    var phi_897_: type_51;
-    var phi_898_: bool;
-    var phi_899_: u32;
-    var phi_1822_: type_37;
-    var phi_1831_: type_4;
-    var phi_1832_: type_4;
-    var phi_1855_: type_4;
-    var phi_2782_: bool;
-    var phi_1985_: type_4;
-    var phi_1986_: type_4;
-    var phi_2009_: type_4;
-    var phi_2842_: bool;
-    var phi_2572_: type_51;
-    var phi_2649_: type_51;
-    var phi_2650_: type_51;
-    var phi_2651_: u32;
-    var phi_2653_: type_51;
-    var phi_2654_: u32;
-    var phi_2655_: bool;
-    var phi_2662_: type_51;
-    var phi_2667_: type_51;
-    var phi_2668_: bool;
-    var phi_2859_: bool;
-    var phi_918_: type_33;
-    var phi_921_: type_4;
-    var phi_922_: type_4;
-    var phi_944_: type_4;
-    var phi_989_: u32;
-    var phi_1013_: type_45;
-    var phi_2855_: bool;
-    var phi_1024_: type_4;
-    var phi_1025_: type_4;
-    var phi_1048_: type_4;
-    var phi_1058_: type_4;
-    var phi_1059_: type_4;
-    var phi_1082_: type_4;
-    var phi_2850_: bool;
-    var phi_2863_: bool;
-    var phi_2862_: bool;
-    var phi_1645_: vec3<f32>;
-    var phi_1646_: vec3<f32>;
-    var phi_1677_: bool;
-    var phi_1686_: vec3<f32>;
-    var phi_1726_: type_21;
-    var phi_1728_: type_21;
-    var phi_1729_: bool;
-    var phi_1733_: type_21;
-    var phi_1734_: type_21;
-    var phi_1735_: type_21;
-    var phi_1736_: bool;
-    var phi_1740_: type_21;
-    var phi_1741_: bool;
-    var phi_1745_: type_21;
-    var phi_1746_: bool;
-    var phi_1750_: type_21;
+    var phi_545_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_596_: f32;
+    var phi_696_: f32;
+    var phi_697_: f32;
+    var phi_2840_: bool;
+    var phi_771_: type_33;
+    var phi_774_: type_50;
+    var phi_776_: u32;
+    var phi_778_: bool;
+    var phi_780_: u32;
+    var phi_791_: bool;
+    var phi_877_: type_50;
+    var phi_878_: bool;
+    var phi_879_: u32;
+    var phi_1836_: type_37;
+    var phi_2668_: type_50;
+    var phi_2745_: type_50;
+    var phi_2746_: type_50;
+    var phi_2747_: u32;
+    var phi_2749_: type_50;
+    var phi_2750_: u32;
+    var phi_2751_: bool;
+    var phi_2758_: type_50;
+    var phi_2763_: type_50;
+    var phi_2764_: bool;
+    var phi_898_: type_33;
+    var phi_901_: type_4;
+    var phi_902_: type_4;
+    var phi_924_: type_4;
+    var phi_952_: u32;
+    var phi_968_: type_44;
+    var phi_1674_: vec3<f32>;
+    var phi_1675_: vec3<f32>;
+    var phi_1706_: bool;
+    var phi_1715_: vec3<f32>;
+    var phi_1755_: type_21;
+    var phi_1757_: type_21;
+    var phi_1758_: bool;
+    var phi_1762_: type_21;
+    var phi_1763_: type_21;
+    var phi_1764_: type_21;
+    var phi_1765_: bool;
+    var phi_1769_: type_21;
+    var phi_1770_: bool;
+    var phi_1774_: type_21;
     var phi_1775_: bool;
-    var phi_1776_: bool;
-    var phi_1783_: type_33;
-    var phi_1784_: type_33;
-    var phi_1785_: type_33;
-    var phi_2865_: bool;
-    var phi_919_: type_33;
-    var phi_2864_: bool;
-    var phi_2927_: bool;
-    var phi_2670_: type_33;
-    var phi_2671_: type_51;
-    var phi_2672_: bool;
-    var phi_2673_: u32;
-    var phi_2926_: bool;
-    var phi_2674_: type_33;
-    var phi_2675_: type_51;
-    var phi_2676_: u32;
-    var phi_2677_: bool;
-    var phi_2678_: u32;
-    var phi_2925_: bool;
-    var phi_2679_: type_33;
-    var phi_2680_: type_51;
-    var phi_2681_: u32;
-    var phi_2682_: bool;
-    var phi_2683_: u32;
-    var phi_2924_: bool;
-    var phi_792_: type_33;
-    var phi_795_: type_51;
-    var phi_797_: u32;
-    var phi_799_: bool;
-    var phi_801_: u32;
-    var phi_2684_: bool;
-    var phi_2923_: bool;
-    var local_23: type_33;
-    var local_24: type_33;
-    var local_25: type_33;
+    var phi_1779_: type_21;
+    var phi_1804_: bool;
+    var phi_1805_: bool;
+    var phi_1812_: type_33;
+    var phi_1813_: type_33;
+    var phi_1814_: type_33;
+    var phi_899_: type_33;
+    var phi_2834_: bool;
+    var phi_2970_: bool;
+    var phi_2766_: type_33;
+    var phi_2767_: type_50;
+    var phi_2768_: bool;
+    var phi_2769_: u32;
+    var phi_2969_: bool;
+    var phi_2770_: type_33;
+    var phi_2771_: type_50;
+    var phi_2772_: u32;
+    var phi_2773_: bool;
+    var phi_2774_: u32;
+    var phi_2968_: bool;
+    var phi_2775_: type_33;
+    var phi_2776_: type_50;
+    var phi_2777_: u32;
+    var phi_2778_: bool;
+    var phi_2779_: u32;
+    var phi_2967_: bool;
+    var phi_772_: type_33;
+    var phi_775_: type_50;
+    var phi_777_: u32;
+    var phi_779_: bool;
+    var phi_781_: u32;
+    var phi_2780_: bool;
+    var phi_2966_: bool;
+    var local_10: type_33;
+    var local_11: type_33;
+    var local_12: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e90 = arrayLength((&global_4.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[1u][0u];
-            let _e117 = global_2.member[1u][1u];
-            let _e121 = global_2.member[1u][2u];
-            let _e125 = global_2.member[1u][3u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e139 = (_e87.x + (_e87.y * 2097152u));
-            let _e140 = (_e139 < arrayLength((&global_3.member)));
-            if _e140 {
-                let _e141 = (_e139 < arrayLength((&global_5.member)));
-                if _e141 {
-                    if _e140 {
+            let _e72 = global;
+            let _e75 = arrayLength((&global_4.member));
+            let _e86 = global_2.member[0u][0u];
+            let _e90 = global_2.member[0u][1u];
+            let _e94 = global_2.member[0u][2u];
+            let _e98 = global_2.member[1u][0u];
+            let _e102 = global_2.member[1u][1u];
+            let _e106 = global_2.member[1u][2u];
+            let _e110 = global_2.member[1u][3u];
+            let _e113 = global_1.member[0u];
+            let _e114 = bitcast<i32>(_e113);
+            let _e124 = (_e72.x + (_e72.y * 2097152u));
+            let _e125 = (_e124 < arrayLength((&global_3.member)));
+            if _e125 {
+                let _e126 = (_e124 < arrayLength((&global_5.member)));
+                if _e126 {
+                    if _e125 {
                     } else {
                         break;
                     }
-                    let _e149 = global_3.member[_e139].member_2[0u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_3.member[_e139].member_2[1u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_3.member[_e139].member_2[2u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_3.member[_e139].member[0u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_3.member[_e139].member[1u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_3.member[_e139].member[2u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e188 = select(_e158, _e151, (_e158 < _e151));
-                    let _e190 = select(_e165, _e188, (_e165 < _e188));
-                    let _e192 = select(_e172, _e190, (_e172 < _e190));
-                    let _e194 = select(_e179, _e192, (_e179 < _e192));
-                    let _e196 = select(_e186, _e194, (_e186 < _e194));
-                    let _e200 = global_3.member[_e139].member_1;
-                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                    let _e209 = global_3.member[_e139].member_3;
-                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
-                    if _e215 {
-                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
-                        if (_e218 >= 8388608u) {
-                            phi_347_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                    let _e134 = global_3.member[_e124].member_2[0u];
+                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
+                    let _e141 = global_3.member[_e124].member_2[1u];
+                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
+                    let _e148 = global_3.member[_e124].member_2[2u];
+                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
+                    let _e155 = global_3.member[_e124].member[0u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e124].member[1u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e124].member[2u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e173 = select(_e143, _e136, (_e143 < _e136));
+                    let _e175 = select(_e150, _e173, (_e150 < _e173));
+                    let _e177 = select(_e157, _e175, (_e157 < _e175));
+                    let _e179 = select(_e164, _e177, (_e164 < _e177));
+                    let _e181 = select(_e171, _e179, (_e171 < _e179));
+                    let _e185 = global_3.member[_e124].member_1;
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e194 = global_3.member[_e124].member_3;
+                    let _e200 = (((select(_e187, _e181, (_e187 < _e181)) < 2139095040u) && ((bitcast<u32>(_e194) & 2147483647u) <= 2139095040u)) && (_e175 > 0u));
+                    if _e200 {
+                        let _e203 = (bitcast<u32>(bitcast<f32>(_e175)) & 2147483647u);
+                        if (_e203 >= 8388608u) {
+                            phi_328_ = (bitcast<i32>((_e203 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_347_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e203)), 32u, (_e203 == 0u))));
                         }
-                        let _e232 = phi_347_;
-                        phi_348_ = _e232;
+                        let _e217 = phi_328_;
+                        phi_329_ = _e217;
                     } else {
-                        phi_348_ = 0i;
+                        phi_329_ = 0i;
                     }
-                    let _e234 = phi_348_;
-                    let _e235 = (_e151 == _e190);
-                    if _e235 {
-                        phi_358_ = true;
+                    let _e219 = phi_329_;
+                    let _e220 = (_e136 == _e175);
+                    if _e220 {
+                        phi_339_ = true;
                     } else {
-                        phi_358_ = (_e158 == _e190);
+                        phi_339_ = (_e143 == _e175);
                     }
-                    let _e238 = phi_358_;
-                    let _e239 = select(1u, 0u, _e235);
-                    if _e238 {
-                        let _e240 = (_e239 + 1u);
-                        phi_368_ = _e240;
-                        phi_369_ = _e240;
-                        phi_371_ = select(true, false, (_e240 == 2u));
+                    let _e223 = phi_339_;
+                    let _e224 = select(1u, 0u, _e220);
+                    if _e223 {
+                        let _e225 = (_e224 + 1u);
+                        phi_349_ = _e225;
+                        phi_350_ = _e225;
+                        phi_352_ = select(true, false, (_e225 == 2u));
                     } else {
-                        phi_368_ = u32();
-                        phi_369_ = 0u;
-                        phi_371_ = true;
+                        phi_349_ = u32();
+                        phi_350_ = 0u;
+                        phi_352_ = true;
                     }
-                    let _e244 = phi_368_;
-                    let _e246 = phi_369_;
-                    let _e248 = phi_371_;
-                    if _e248 {
-                        phi_376_ = (_e246 + 1u);
+                    let _e229 = phi_349_;
+                    let _e231 = phi_350_;
+                    let _e233 = phi_352_;
+                    if _e233 {
+                        phi_357_ = (_e231 + 1u);
                     } else {
-                        phi_376_ = 0u;
+                        phi_357_ = 0u;
                     }
-                    let _e252 = phi_376_;
-                    let _e253 = select(_e244, _e246, _e248);
-                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
-                    if (_e129 < -126i) {
+                    let _e237 = phi_357_;
+                    let _e238 = select(_e229, _e231, _e233);
+                    let _e239 = select(_e224, select(2u, _e224, _e223), _e233);
+                    if (_e114 < -126i) {
+                        phi_369_ = -126i;
+                    } else {
+                        phi_369_ = select(_e114, 127i, (_e114 > 127i));
+                    }
+                    let _e244 = phi_369_;
+                    let _e249 = bitcast<f32>((bitcast<u32>((_e244 + 127i)) << bitcast<u32>(23i)));
+                    let _e255 = bitcast<f32>((bitcast<u32>(((_e114 - _e244) + 127i)) << bitcast<u32>(23i)));
+                    let _e256 = -(_e219);
+                    if (_e256 < -126i) {
                         phi_389_ = -126i;
                     } else {
-                        phi_389_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_389_ = select(_e256, 127i, (_e256 > 127i));
                     }
-                    let _e259 = phi_389_;
-                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
-                    let _e270 = bitcast<f32>((bitcast<u32>(((_e129 - _e259) + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = -(_e234);
-                    if (_e271 < -126i) {
-                        phi_409_ = -126i;
+                    let _e261 = phi_389_;
+                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = bitcast<f32>((bitcast<u32>(((_e256 - _e261) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = global_3.member[_e124].member;
+                    let _e277 = (_e238 == 0u);
+                    if _e277 {
+                        phi_407_ = _e276[0];
                     } else {
-                        phi_409_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_407_ = _e276[1];
                     }
-                    let _e276 = phi_409_;
-                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = global_3.member[_e139].member;
-                    let _e292 = (_e253 == 0u);
-                    if _e292 {
-                        phi_427_ = _e291[0];
+                    let _e281 = phi_407_;
+                    let _e282 = (_e238 == 2u);
+                    if _e282 {
+                        phi_413_ = _e276[2];
                     } else {
-                        phi_427_ = _e291[1];
+                        phi_413_ = _e281;
                     }
-                    let _e296 = phi_427_;
-                    let _e297 = (_e253 == 2u);
-                    if _e297 {
-                        phi_433_ = _e291[2];
+                    let _e285 = phi_413_;
+                    let _e287 = ((_e285 * _e249) * _e255);
+                    let _e288 = global_3.member[_e124].member_2;
+                    if _e277 {
+                        phi_424_ = _e288[0];
                     } else {
-                        phi_433_ = _e296;
+                        phi_424_ = _e288[1];
                     }
-                    let _e300 = phi_433_;
-                    let _e302 = ((_e300 * _e264) * _e270);
-                    let _e303 = global_3.member[_e139].member_2;
-                    if _e292 {
-                        phi_444_ = _e303[0];
+                    let _e292 = phi_424_;
+                    if _e282 {
+                        phi_430_ = _e288[2];
                     } else {
-                        phi_444_ = _e303[1];
+                        phi_430_ = _e292;
                     }
-                    let _e307 = phi_444_;
-                    if _e297 {
-                        phi_450_ = _e303[2];
+                    let _e295 = phi_430_;
+                    let _e297 = ((_e295 * _e266) * _e272);
+                    let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e301 {
+                        let _e305 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
+                        phi_453_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
                     } else {
-                        phi_450_ = _e307;
+                        phi_453_ = 0f;
                     }
-                    let _e310 = phi_450_;
-                    let _e312 = ((_e310 * _e281) * _e287);
-                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e309 = phi_453_;
+                    let _e310 = (_e287 + _e309);
+                    let _e311 = (_e287 - _e309);
+                    let _e312 = select(_e297, 0f, _e301);
+                    if _e301 {
+                        phi_464_ = 38685626000000000000000000f;
+                    } else {
+                        phi_464_ = (1f / _e297);
+                    }
+                    let _e315 = phi_464_;
+                    let _e316 = (_e237 == 0u);
                     if _e316 {
-                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_473_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                        phi_473_ = _e276[0];
                     } else {
-                        phi_473_ = 0f;
+                        phi_473_ = _e276[1];
                     }
-                    let _e324 = phi_473_;
-                    let _e325 = (_e302 + _e324);
-                    let _e326 = (_e302 - _e324);
-                    let _e327 = select(_e312, 0f, _e316);
+                    let _e320 = phi_473_;
+                    let _e321 = (_e237 == 2u);
+                    if _e321 {
+                        phi_479_ = _e276[2];
+                    } else {
+                        phi_479_ = _e320;
+                    }
+                    let _e324 = phi_479_;
+                    let _e326 = ((_e324 * _e249) * _e255);
                     if _e316 {
-                        phi_484_ = 38685626000000000000000000f;
+                        phi_490_ = _e288[0];
                     } else {
-                        phi_484_ = (1f / _e312);
+                        phi_490_ = _e288[1];
                     }
-                    let _e330 = phi_484_;
-                    let _e331 = (_e252 == 0u);
-                    if _e331 {
-                        phi_493_ = _e291[0];
+                    let _e330 = phi_490_;
+                    if _e321 {
+                        phi_496_ = _e288[2];
                     } else {
-                        phi_493_ = _e291[1];
+                        phi_496_ = _e330;
                     }
-                    let _e335 = phi_493_;
-                    let _e336 = (_e252 == 2u);
-                    if _e336 {
-                        phi_499_ = _e291[2];
+                    let _e333 = phi_496_;
+                    let _e335 = ((_e333 * _e266) * _e272);
+                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e339 {
+                        let _e343 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
+                        phi_519_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
                     } else {
-                        phi_499_ = _e335;
+                        phi_519_ = 0f;
                     }
-                    let _e339 = phi_499_;
-                    let _e341 = ((_e339 * _e264) * _e270);
-                    if _e331 {
-                        phi_510_ = _e303[0];
+                    let _e347 = phi_519_;
+                    let _e348 = (_e326 + _e347);
+                    let _e349 = (_e326 - _e347);
+                    let _e350 = select(_e335, 0f, _e339);
+                    if _e339 {
+                        phi_530_ = 38685626000000000000000000f;
                     } else {
-                        phi_510_ = _e303[1];
+                        phi_530_ = (1f / _e335);
                     }
-                    let _e345 = phi_510_;
-                    if _e336 {
-                        phi_516_ = _e303[2];
-                    } else {
-                        phi_516_ = _e345;
-                    }
-                    let _e348 = phi_516_;
-                    let _e350 = ((_e348 * _e281) * _e287);
-                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e353 = phi_530_;
+                    let _e354 = (_e239 == 0u);
                     if _e354 {
-                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_539_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                        phi_539_ = _e276[0];
                     } else {
-                        phi_539_ = 0f;
+                        phi_539_ = _e276[1];
                     }
-                    let _e362 = phi_539_;
-                    let _e363 = (_e341 + _e362);
-                    let _e364 = (_e341 - _e362);
-                    let _e365 = select(_e350, 0f, _e354);
+                    let _e358 = phi_539_;
+                    let _e359 = (_e239 == 2u);
+                    if _e359 {
+                        phi_545_ = _e276[2];
+                    } else {
+                        phi_545_ = _e358;
+                    }
+                    let _e362 = phi_545_;
+                    let _e364 = ((_e362 * _e249) * _e255);
                     if _e354 {
-                        phi_550_ = 38685626000000000000000000f;
+                        phi_556_ = _e288[0];
                     } else {
-                        phi_550_ = (1f / _e350);
+                        phi_556_ = _e288[1];
                     }
-                    let _e368 = phi_550_;
-                    let _e369 = (_e254 == 0u);
-                    if _e369 {
-                        phi_559_ = _e291[0];
+                    let _e368 = phi_556_;
+                    if _e359 {
+                        phi_562_ = _e288[2];
                     } else {
-                        phi_559_ = _e291[1];
+                        phi_562_ = _e368;
                     }
-                    let _e373 = phi_559_;
-                    let _e374 = (_e254 == 2u);
-                    if _e374 {
-                        phi_565_ = _e291[2];
+                    let _e371 = phi_562_;
+                    let _e373 = ((_e371 * _e266) * _e272);
+                    let _e377 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e377 {
+                        let _e381 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) * 0.00000011920929f);
+                        phi_585_ = select(0.00000000000011368684f, _e381, (_e381 > 0.00000000000011368684f));
                     } else {
-                        phi_565_ = _e373;
+                        phi_585_ = 0f;
                     }
-                    let _e377 = phi_565_;
-                    let _e379 = ((_e377 * _e264) * _e270);
-                    if _e369 {
-                        phi_576_ = _e303[0];
+                    let _e385 = phi_585_;
+                    let _e386 = (_e364 + _e385);
+                    let _e387 = (_e364 - _e385);
+                    let _e388 = select(_e373, 0f, _e377);
+                    if _e377 {
+                        phi_596_ = 38685626000000000000000000f;
                     } else {
-                        phi_576_ = _e303[1];
+                        phi_596_ = (1f / _e373);
                     }
-                    let _e383 = phi_576_;
-                    if _e374 {
-                        phi_582_ = _e303[2];
+                    let _e391 = phi_596_;
+                    let _e394 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
+                    let _e397 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
+                    let _e399 = select(_e397, _e394, (_e394 > _e397));
+                    let _e402 = bitcast<f32>((bitcast<u32>(_e364) & 2147483647u));
+                    let _e405 = (_e114 + _e219);
+                    if (_e200 && (select(_e402, _e399, (_e399 > _e402)) <= 1099511600000f)) {
+                        let _e408 = (_e405 / 3i);
+                        let _e415 = bitcast<f32>((bitcast<u32>((_e408 + 127i)) << bitcast<u32>(23i)));
+                        let _e422 = bitcast<f32>((bitcast<u32>(((_e405 - (2i * _e408)) + 127i)) << bitcast<u32>(23i)));
+                        let _e423 = (((_e185 * _e415) * _e415) * _e422);
+                        let _e425 = select(340282350000000000000000000000000000000f, _e423, (_e423 < 340282350000000000000000000000000000000f));
+                        let _e430 = (((_e194 * _e415) * _e415) * _e422);
+                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
+                        phi_696_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
+                        phi_697_ = select(-340282350000000000000000000000000000000f, _e425, (_e425 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_582_ = _e383;
+                        phi_696_ = 0f;
+                        phi_697_ = 1f;
                     }
-                    let _e386 = phi_582_;
-                    let _e388 = ((_e386 * _e281) * _e287);
-                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e392 {
-                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_605_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
-                    } else {
-                        phi_605_ = 0f;
-                    }
-                    let _e400 = phi_605_;
-                    let _e401 = (_e379 + _e400);
-                    let _e402 = (_e379 - _e400);
-                    let _e403 = select(_e388, 0f, _e392);
-                    if _e392 {
-                        phi_616_ = 38685626000000000000000000f;
-                    } else {
-                        phi_616_ = (1f / _e388);
-                    }
-                    let _e406 = phi_616_;
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
-                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
-                    let _e414 = select(_e412, _e409, (_e409 > _e412));
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e420 = (_e129 + _e234);
-                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
-                        let _e423 = (_e420 / 3i);
-                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
-                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
-                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_716_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_717_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_716_ = 0f;
-                        phi_717_ = 1f;
-                    }
-                    let _e451 = phi_716_;
-                    let _e453 = phi_717_;
+                    let _e436 = phi_696_;
+                    let _e438 = phi_697_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -507,906 +474,726 @@ fn function_() {
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_11 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_22 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
-                    let _e459 = (_e253 % 3u);
-                    let _e460 = (_e459 < 3u);
-                    if _e460 {
+                    local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_9 = array<f32, 3>(bitcast<f32>(_e86), bitcast<f32>(_e90), bitcast<f32>(_e94));
+                    let _e444 = (_e238 % 3u);
+                    let _e445 = (_e444 < 3u);
+                    if _e445 {
                     } else {
                         break;
                     }
-                    let _e462 = local_22[_e459];
-                    let _e463 = (_e252 % 3u);
-                    let _e464 = (_e463 < 3u);
-                    if _e464 {
+                    let _e447 = local_9[_e444];
+                    let _e448 = (_e237 % 3u);
+                    let _e449 = (_e448 < 3u);
+                    if _e449 {
                     } else {
                         break;
                     }
-                    let _e466 = local_22[_e463];
-                    let _e467 = (_e254 % 3u);
-                    let _e468 = (_e467 < 3u);
-                    if _e468 {
+                    let _e451 = local_9[_e448];
+                    let _e452 = (_e239 % 3u);
+                    let _e453 = (_e452 < 3u);
+                    if _e453 {
                     } else {
                         break;
                     }
-                    let _e470 = local_22[_e467];
-                    local_21 = array<f32, 3>(bitcast<f32>(_e113), bitcast<f32>(_e117), bitcast<f32>(_e121));
-                    if _e460 {
+                    let _e455 = local_9[_e452];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e98), bitcast<f32>(_e102), bitcast<f32>(_e106));
+                    if _e445 {
                     } else {
                         break;
                     }
-                    let _e474 = local_21[_e459];
-                    if _e464 {
+                    let _e459 = local_8[_e444];
+                    if _e449 {
                     } else {
                         break;
                     }
-                    let _e476 = local_21[_e463];
-                    if _e468 {
+                    let _e461 = local_8[_e448];
+                    if _e453 {
                     } else {
                         break;
                     }
-                    let _e478 = local_21[_e467];
-                    phi_2789_ = false;
-                    phi_791_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451), 0u, 0u);
-                    phi_794_ = type_51(type_43(array<f32, 3>(_e462, _e466, _e470), array<f32, 3>(_e474, _e476, _e478)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_796_ = ((3u * _e90) + 1u);
-                    phi_798_ = (_e453 <= _e451);
-                    phi_800_ = 0u;
+                    let _e463 = local_8[_e452];
+                    phi_2840_ = false;
+                    phi_771_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e436), 0u, 0u);
+                    phi_774_ = type_50(type_42(array<f32, 3>(_e447, _e451, _e455), array<f32, 3>(_e459, _e461, _e463)), select(0u, 2147483648u, (_e75 == 0u)));
+                    phi_776_ = ((3u * _e75) + 1u);
+                    phi_778_ = (_e438 <= _e436);
+                    phi_780_ = 0u;
                     loop {
-                        let _e486 = phi_2789_;
-                        let _e488 = phi_791_;
-                        let _e490 = phi_794_;
-                        let _e492 = phi_796_;
-                        let _e494 = phi_798_;
-                        let _e496 = phi_800_;
-                        local_23 = _e488;
-                        local_24 = _e488;
-                        if _e494 {
-                            phi_811_ = true;
+                        let _e471 = phi_2840_;
+                        let _e473 = phi_771_;
+                        let _e475 = phi_774_;
+                        let _e477 = phi_776_;
+                        let _e479 = phi_778_;
+                        let _e481 = phi_780_;
+                        local_10 = _e473;
+                        local_11 = _e473;
+                        if _e479 {
+                            phi_791_ = true;
                         } else {
-                            phi_811_ = (_e496 > 0u);
+                            phi_791_ = (_e481 > 0u);
                         }
-                        let _e499 = phi_811_;
-                        if _e499 {
-                            let _e500 = (_e492 > 0u);
-                            if _e500 {
-                                if _e494 {
-                                    phi_897_ = _e490;
-                                    phi_898_ = _e494;
-                                    phi_899_ = _e496;
+                        let _e484 = phi_791_;
+                        if _e484 {
+                            let _e485 = (_e477 > 0u);
+                            if _e485 {
+                                if _e479 {
+                                    phi_877_ = _e475;
+                                    phi_878_ = _e479;
+                                    phi_879_ = _e481;
                                 } else {
-                                    let _e501 = (_e496 - 1u);
-                                    let _e502 = (_e501 % 128u);
-                                    let _e503 = (_e502 < 128u);
-                                    if _e503 {
+                                    let _e486 = (_e481 - 1u);
+                                    let _e487 = (_e486 % 128u);
+                                    let _e488 = (_e487 < 128u);
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e505 = local_6[_e502];
-                                    if _e503 {
+                                    let _e490 = local_6[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e507 = local_5[_e502];
-                                    if _e503 {
+                                    let _e492 = local_5[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e509 = local_4[_e502];
-                                    if _e503 {
+                                    let _e494 = local_4[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e511 = local_3[_e502];
-                                    if _e503 {
+                                    let _e496 = local_3[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e514 = local_2[_e502];
-                                    if _e503 {
+                                    let _e499 = local_2[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e516 = local_1[_e502];
-                                    if _e503 {
+                                    let _e501 = local_1[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e518 = local[_e502];
-                                    if _e503 {
+                                    let _e503 = local[_e487];
+                                    if _e488 {
                                     } else {
-                                        phi_2923_ = true;
+                                        phi_2966_ = true;
                                         break;
                                     }
-                                    let _e523 = local_11[_e502];
-                                    phi_897_ = type_51(type_43(array<f32, 3>(_e507, _e509, _e511), array<f32, 3>(_e514, _e516, _e518)), _e505);
-                                    phi_898_ = (_e523 <= _e488.member.member_1);
-                                    phi_899_ = _e501;
+                                    let _e508 = local_7[_e487];
+                                    phi_877_ = type_50(type_42(array<f32, 3>(_e492, _e494, _e496), array<f32, 3>(_e499, _e501, _e503)), _e490);
+                                    phi_878_ = (_e508 <= _e473.member.member_1);
+                                    phi_879_ = _e486;
                                 }
-                                let _e528 = phi_897_;
-                                let _e530 = phi_898_;
-                                let _e532 = phi_899_;
-                                if _e530 {
-                                    if ((_e528.member_1 & 2147483648u) != 0u) {
-                                        phi_2859_ = _e486;
-                                        phi_918_ = _e488;
-                                        phi_921_ = type_4(0u, ((_e528.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e513 = phi_877_;
+                                let _e515 = phi_878_;
+                                let _e517 = phi_879_;
+                                if _e515 {
+                                    if ((_e513.member_1 & 2147483648u) != 0u) {
+                                        phi_898_ = _e473;
+                                        phi_901_ = type_4(0u, ((_e513.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e864 = phi_2859_;
-                                            let _e866 = phi_918_;
-                                            let _e868 = phi_921_;
-                                            local_25 = _e866;
-                                            if (_e868.member < _e868.member_1) {
-                                                phi_922_ = type_4((_e868.member + 1u), _e868.member_1);
-                                                phi_944_ = type_4(1u, _e868.member);
+                                            let _e877 = phi_898_;
+                                            let _e879 = phi_901_;
+                                            local_12 = _e877;
+                                            if (_e879.member < _e879.member_1) {
+                                                phi_902_ = type_4((_e879.member + 1u), _e879.member_1);
+                                                phi_924_ = type_4(1u, _e879.member);
                                             } else {
-                                                phi_922_ = _e868;
-                                                phi_944_ = type_4(0u, type_4().member_1);
+                                                phi_902_ = _e879;
+                                                phi_924_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e881 = phi_922_;
-                                            let _e883 = phi_944_;
-                                            let _e887 = (bitcast<i32>(_e883.member) != 0i);
-                                            if _e887 {
-                                                let _e893 = type_33(_e866.member, _e866.member_1, (_e866.member_2 + 1u));
-                                                local_8 = array<f32, 3>(_e528.member.member[0], _e528.member.member[1], _e528.member.member[2]);
-                                                local_7 = array<f32, 3>(_e528.member.member_1[0], _e528.member.member_1[1], _e528.member.member_1[2]);
-                                                let _e904 = ((_e528.member_1 & 268435455u) + _e883.member_1);
-                                                let _e905 = (_e904 < arrayLength((&global_6.member)));
-                                                if _e905 {
-                                                    if _e905 {
+                                            let _e892 = phi_902_;
+                                            let _e894 = phi_924_;
+                                            let _e898 = (bitcast<i32>(_e894.member) != 0i);
+                                            if _e898 {
+                                                let _e904 = type_33(_e877.member, _e877.member_1, (_e877.member_2 + 1u));
+                                                let _e905 = ((_e513.member_1 & 268435455u) + _e894.member_1);
+                                                let _e906 = (_e905 < arrayLength((&global_6.member)));
+                                                if _e906 {
+                                                    if _e906 {
                                                     } else {
-                                                        phi_2864_ = true;
+                                                        phi_2834_ = true;
                                                         break;
                                                     }
-                                                    let _e908 = global_6.member[_e904].member_1;
-                                                    phi_989_ = _e908;
+                                                    let _e909 = global_6.member[_e905].member_1;
+                                                    phi_952_ = _e909;
                                                 } else {
-                                                    phi_989_ = 4294967295u;
+                                                    phi_952_ = 4294967295u;
                                                 }
-                                                let _e910 = phi_989_;
-                                                local_18 = array<u32, 3>(_e253, _e252, _e254);
-                                                if _e905 {
-                                                    if _e905 {
+                                                let _e911 = phi_952_;
+                                                if _e906 {
+                                                    if _e906 {
                                                     } else {
-                                                        phi_2864_ = true;
+                                                        phi_2834_ = true;
                                                         break;
                                                     }
-                                                    let _e913 = global_6.member[_e904];
-                                                    phi_1013_ = _e913;
+                                                    let _e913 = global_6.member[_e905];
+                                                    phi_968_ = _e913;
                                                 } else {
-                                                    phi_1013_ = type_45(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_968_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e915 = phi_1013_;
-                                                local_20 = array<u32, 3>(_e915.member[0], _e915.member[1], _e915.member[2]);
-                                                local_19[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_19[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_19[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_2855_ = _e864;
-                                                phi_1024_ = type_4(0u, 3u);
-                                                loop {
-                                                    let _e925 = phi_2855_;
-                                                    let _e927 = phi_1024_;
-                                                    if (_e927.member < _e927.member_1) {
-                                                        phi_1025_ = type_4((_e927.member + 1u), _e927.member_1);
-                                                        phi_1048_ = type_4(1u, _e927.member);
+                                                let _e915 = phi_968_;
+                                                let _e927 = ((10u * _e238) & 31u);
+                                                let _e930 = ((_e915.member[0] >> bitcast<u32>(_e927)) & 1023u);
+                                                let _e935 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e110));
+                                                let _e941 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e930) * _e935)) ^ _e110)));
+                                                let _e945 = select(select(_e513.member.member_1[0], _e941, (_e941 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e930 == 1023u));
+                                                let _e947 = ((10u * _e237) & 31u);
+                                                let _e950 = ((_e915.member[0] >> bitcast<u32>(_e947)) & 1023u);
+                                                let _e955 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e110));
+                                                let _e961 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e950) * _e955)) ^ _e110)));
+                                                let _e965 = select(select(_e513.member.member_1[1], _e961, (_e961 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e950 == 1023u));
+                                                let _e967 = ((10u * _e239) & 31u);
+                                                let _e970 = ((_e915.member[0] >> bitcast<u32>(_e967)) & 1023u);
+                                                let _e975 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e110));
+                                                let _e981 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e970) * _e975)) ^ _e110)));
+                                                let _e985 = select(select(_e513.member.member_1[2], _e981, (_e981 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e970 == 1023u));
+                                                let _e989 = ((_e915.member[1] >> bitcast<u32>(_e927)) & 1023u);
+                                                let _e995 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e989) * _e935)) ^ _e110)));
+                                                let _e999 = select(select(_e513.member.member_1[0], _e995, (_e995 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e989 == 1023u));
+                                                let _e1002 = ((_e915.member[1] >> bitcast<u32>(_e947)) & 1023u);
+                                                let _e1008 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1002) * _e955)) ^ _e110)));
+                                                let _e1012 = select(select(_e513.member.member_1[1], _e1008, (_e1008 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1002 == 1023u));
+                                                let _e1015 = ((_e915.member[1] >> bitcast<u32>(_e967)) & 1023u);
+                                                let _e1021 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1015) * _e975)) ^ _e110)));
+                                                let _e1025 = select(select(_e513.member.member_1[2], _e1021, (_e1021 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1015 == 1023u));
+                                                let _e1029 = ((_e915.member[2] >> bitcast<u32>(_e927)) & 1023u);
+                                                let _e1035 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1029) * _e935)) ^ _e110)));
+                                                let _e1039 = select(select(_e513.member.member_1[0], _e1035, (_e1035 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e1029 == 1023u));
+                                                let _e1042 = ((_e915.member[2] >> bitcast<u32>(_e947)) & 1023u);
+                                                let _e1048 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1042) * _e955)) ^ _e110)));
+                                                let _e1052 = select(select(_e513.member.member_1[1], _e1048, (_e1048 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1042 == 1023u));
+                                                let _e1055 = ((_e915.member[2] >> bitcast<u32>(_e967)) & 1023u);
+                                                let _e1061 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1055) * _e975)) ^ _e110)));
+                                                let _e1065 = select(select(_e513.member.member_1[2], _e1061, (_e1061 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1055 == 1023u));
+                                                let _e1070 = (_e985 - _e364);
+                                                let _e1073 = (((_e945 - _e287) * _e388) - (_e1070 * _e312));
+                                                let _e1076 = (((_e965 - _e326) * _e388) - (_e1070 * _e350));
+                                                let _e1079 = (_e1025 - _e364);
+                                                let _e1082 = (((_e999 - _e287) * _e388) - (_e1079 * _e312));
+                                                let _e1085 = (((_e1012 - _e326) * _e388) - (_e1079 * _e350));
+                                                let _e1088 = (_e1065 - _e364);
+                                                let _e1091 = (((_e1039 - _e287) * _e388) - (_e1088 * _e312));
+                                                let _e1094 = (((_e1052 - _e326) * _e388) - (_e1088 * _e350));
+                                                let _e1095 = (_e1091 * _e1085);
+                                                let _e1096 = (_e1094 * _e1082);
+                                                let _e1097 = (_e1073 * _e1094);
+                                                let _e1098 = (_e1076 * _e1091);
+                                                let _e1099 = (_e1082 * _e1076);
+                                                let _e1100 = (_e1085 * _e1073);
+                                                let _e1105 = (((_e1095 >= _e1096) && (_e1097 >= _e1098)) && (_e1099 >= _e1100));
+                                                if (_e1105 || (((_e1095 <= _e1096) && (_e1097 <= _e1098)) && (_e1099 <= _e1100))) {
+                                                    let _e1112 = select(-1f, 1f, _e1105);
+                                                    let _e1114 = ((_e1095 - _e1096) * _e1112);
+                                                    let _e1116 = select(0f, _e1114, (_e1114 > 0f));
+                                                    let _e1118 = ((_e1097 - _e1098) * _e1112);
+                                                    let _e1120 = select(0f, _e1118, (_e1118 > 0f));
+                                                    let _e1122 = ((_e1099 - _e1100) * _e1112);
+                                                    let _e1124 = select(0f, _e1122, (_e1122 > 0f));
+                                                    let _e1126 = ((_e1116 + _e1120) + _e1124);
+                                                    if (_e1126 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1769_ = type_21();
+                                                        phi_1770_ = true;
                                                     } else {
-                                                        phi_1025_ = _e927;
-                                                        phi_1048_ = type_4(0u, type_4().member_1);
-                                                    }
-                                                    let _e940 = phi_1025_;
-                                                    let _e942 = phi_1048_;
-                                                    let _e946 = (bitcast<i32>(_e942.member) != 0i);
-                                                    if _e946 {
-                                                        phi_1058_ = type_4(0u, 3u);
-                                                        loop {
-                                                            let _e948 = phi_1058_;
-                                                            if (_e948.member < _e948.member_1) {
-                                                                phi_1059_ = type_4((_e948.member + 1u), _e948.member_1);
-                                                                phi_1082_ = type_4(1u, _e948.member);
-                                                            } else {
-                                                                phi_1059_ = _e948;
-                                                                phi_1082_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e961 = phi_1059_;
-                                                            let _e963 = phi_1082_;
-                                                            let _e967 = (bitcast<i32>(_e963.member) != 0i);
-                                                            if _e967 {
-                                                                let _e968 = (_e942.member_1 < 3u);
-                                                                if _e968 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e970 = local_20[_e942.member_1];
-                                                                let _e971 = (_e963.member_1 < 3u);
-                                                                if _e971 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e973 = local_18[_e963.member_1];
-                                                                let _e978 = ((_e970 >> bitcast<u32>(((10u * _e973) & 31u))) & 1023u);
-                                                                if _e971 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e980 = local_8[_e963.member_1];
-                                                                if _e971 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e982 = local_7[_e963.member_1];
-                                                                let _e993 = (_e980 + bitcast<f32>((bitcast<u32>((f32(_e978) * bitcast<f32>((bitcast<u32>(((_e982 - _e980) * 0.0009775171f)) ^ _e125)))) ^ _e125)));
-                                                                if _e968 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e971 {
-                                                                } else {
-                                                                    phi_2850_ = true;
-                                                                    break;
-                                                                }
-                                                                local_19[_e942.member_1][_e963.member_1] = select(select(_e982, _e993, (_e993 < _e982)), _e982, (_e978 == 1023u));
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1058_ = _e961;
-                                                                phi_2850_ = _e925;
-                                                                break if !(_e967);
-                                                            }
-                                                        }
-                                                        let _e1002 = phi_2850_;
-                                                        phi_2862_ = _e1002;
-                                                        if _e1002 {
-                                                            break;
-                                                        }
-                                                        phi_2863_ = _e1002;
-                                                    } else {
-                                                        phi_2863_ = _e925;
-                                                    }
-                                                    let _e1004 = phi_2863_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_2855_ = _e1004;
-                                                        phi_1024_ = _e940;
-                                                        phi_2862_ = _e1004;
-                                                        break if !(_e946);
-                                                    }
-                                                }
-                                                let _e1007 = phi_2862_;
-                                                phi_2864_ = _e1007;
-                                                if _e1007 {
-                                                    break;
-                                                }
-                                                let _e1008 = local_19;
-                                                let _e1025 = (_e1008[0][2] - _e379);
-                                                let _e1028 = (((_e1008[0][0] - _e302) * _e403) - (_e1025 * _e327));
-                                                let _e1031 = (((_e1008[0][1] - _e341) * _e403) - (_e1025 * _e365));
-                                                let _e1034 = (_e1008[1][2] - _e379);
-                                                let _e1037 = (((_e1008[1][0] - _e302) * _e403) - (_e1034 * _e327));
-                                                let _e1040 = (((_e1008[1][1] - _e341) * _e403) - (_e1034 * _e365));
-                                                let _e1043 = (_e1008[2][2] - _e379);
-                                                let _e1046 = (((_e1008[2][0] - _e302) * _e403) - (_e1043 * _e327));
-                                                let _e1049 = (((_e1008[2][1] - _e341) * _e403) - (_e1043 * _e365));
-                                                let _e1050 = (_e1046 * _e1040);
-                                                let _e1051 = (_e1049 * _e1037);
-                                                let _e1052 = (_e1028 * _e1049);
-                                                let _e1053 = (_e1031 * _e1046);
-                                                let _e1054 = (_e1037 * _e1031);
-                                                let _e1055 = (_e1040 * _e1028);
-                                                let _e1060 = (((_e1050 >= _e1051) && (_e1052 >= _e1053)) && (_e1054 >= _e1055));
-                                                if (_e1060 || (((_e1050 <= _e1051) && (_e1052 <= _e1053)) && (_e1054 <= _e1055))) {
-                                                    let _e1067 = select(-1f, 1f, _e1060);
-                                                    let _e1069 = ((_e1050 - _e1051) * _e1067);
-                                                    let _e1071 = select(0f, _e1069, (_e1069 > 0f));
-                                                    let _e1073 = ((_e1052 - _e1053) * _e1067);
-                                                    let _e1075 = select(0f, _e1073, (_e1073 > 0f));
-                                                    let _e1077 = ((_e1054 - _e1055) * _e1067);
-                                                    let _e1079 = select(0f, _e1077, (_e1077 > 0f));
-                                                    let _e1081 = ((_e1071 + _e1075) + _e1079);
-                                                    if (_e1081 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1740_ = type_21();
-                                                        phi_1741_ = true;
-                                                    } else {
-                                                        let _e1084 = select(_e1008[1][0], _e1008[0][0], (_e1008[0][0] < _e1008[1][0]));
-                                                        let _e1088 = select(_e1008[1][0], _e1008[0][0], (_e1008[0][0] > _e1008[1][0]));
-                                                        let _e1092 = select(_e1008[1][1], _e1008[0][1], (_e1008[0][1] < _e1008[1][1]));
-                                                        let _e1096 = select(_e1008[1][1], _e1008[0][1], (_e1008[0][1] > _e1008[1][1]));
-                                                        let _e1100 = select(_e1008[1][2], _e1008[0][2], (_e1008[0][2] < _e1008[1][2]));
-                                                        let _e1104 = select(_e1008[1][2], _e1008[0][2], (_e1008[0][2] > _e1008[1][2]));
-                                                        let _e1109 = ((select(_e1008[2][0], _e1084, (_e1084 < _e1008[2][0])) - _e325) * _e330);
-                                                        let _e1110 = ((select(_e1008[2][0], _e1088, (_e1088 > _e1008[2][0])) - _e326) * _e330);
-                                                        let _e1113 = ((select(_e1008[2][1], _e1092, (_e1092 < _e1008[2][1])) - _e363) * _e368);
-                                                        let _e1114 = ((select(_e1008[2][1], _e1096, (_e1096 > _e1008[2][1])) - _e364) * _e368);
-                                                        let _e1117 = ((select(_e1008[2][2], _e1100, (_e1100 < _e1008[2][2])) - _e401) * _e406);
-                                                        let _e1118 = ((select(_e1008[2][2], _e1104, (_e1104 > _e1008[2][2])) - _e402) * _e406);
-                                                        let _e1120 = select(_e1118, _e1117, (_e1117 < _e1118));
-                                                        let _e1122 = select(_e1118, _e1117, (_e1117 > _e1118));
-                                                        let _e1124 = select(_e1110, _e1109, (_e1109 < _e1110));
-                                                        let _e1126 = select(_e1114, _e1113, (_e1113 < _e1114));
-                                                        let _e1128 = select(_e1126, _e1124, (_e1124 > _e1126));
-                                                        let _e1130 = select(_e1120, _e1128, (_e1128 > _e1120));
-                                                        let _e1132 = select(_e1110, _e1109, (_e1109 > _e1110));
-                                                        let _e1134 = select(_e1114, _e1113, (_e1113 > _e1114));
-                                                        let _e1136 = select(_e1134, _e1132, (_e1132 < _e1134));
-                                                        let _e1138 = select(_e1122, _e1136, (_e1136 < _e1122));
-                                                        let _e1139 = -(_e1120);
-                                                        let _e1145 = select(_e453, _e1130, (_e1130 > _e453));
-                                                        if (_e1145 > (_e1138 + (select(_e1139, _e1122, (_e1122 > _e1139)) * 0.0000019073523f))) {
-                                                            phi_1735_ = type_21();
-                                                            phi_1736_ = true;
+                                                        let _e1129 = select(_e999, _e945, (_e945 < _e999));
+                                                        let _e1133 = select(_e999, _e945, (_e945 > _e999));
+                                                        let _e1137 = select(_e1012, _e965, (_e965 < _e1012));
+                                                        let _e1141 = select(_e1012, _e965, (_e965 > _e1012));
+                                                        let _e1145 = select(_e1025, _e985, (_e985 < _e1025));
+                                                        let _e1149 = select(_e1025, _e985, (_e985 > _e1025));
+                                                        let _e1154 = ((select(_e1039, _e1129, (_e1129 < _e1039)) - _e310) * _e315);
+                                                        let _e1155 = ((select(_e1039, _e1133, (_e1133 > _e1039)) - _e311) * _e315);
+                                                        let _e1158 = ((select(_e1052, _e1137, (_e1137 < _e1052)) - _e348) * _e353);
+                                                        let _e1159 = ((select(_e1052, _e1141, (_e1141 > _e1052)) - _e349) * _e353);
+                                                        let _e1162 = ((select(_e1065, _e1145, (_e1145 < _e1065)) - _e386) * _e391);
+                                                        let _e1163 = ((select(_e1065, _e1149, (_e1149 > _e1065)) - _e387) * _e391);
+                                                        let _e1165 = select(_e1163, _e1162, (_e1162 < _e1163));
+                                                        let _e1167 = select(_e1163, _e1162, (_e1162 > _e1163));
+                                                        let _e1169 = select(_e1155, _e1154, (_e1154 < _e1155));
+                                                        let _e1171 = select(_e1159, _e1158, (_e1158 < _e1159));
+                                                        let _e1173 = select(_e1171, _e1169, (_e1169 > _e1171));
+                                                        let _e1175 = select(_e1165, _e1173, (_e1173 > _e1165));
+                                                        let _e1177 = select(_e1155, _e1154, (_e1154 > _e1155));
+                                                        let _e1179 = select(_e1159, _e1158, (_e1158 > _e1159));
+                                                        let _e1181 = select(_e1179, _e1177, (_e1177 < _e1179));
+                                                        let _e1183 = select(_e1167, _e1181, (_e1181 < _e1167));
+                                                        let _e1184 = -(_e1165);
+                                                        let _e1190 = select(_e438, _e1175, (_e1175 > _e438));
+                                                        if (_e1190 > (_e1183 + (select(_e1184, _e1167, (_e1167 > _e1184)) * 0.0000019073523f))) {
+                                                            phi_1764_ = type_21();
+                                                            phi_1765_ = true;
                                                         } else {
-                                                            let _e1147 = (_e1145 > _e866.member.member_1);
-                                                            if _e1147 {
-                                                                phi_1734_ = type_21();
+                                                            let _e1192 = (_e1190 > _e877.member.member_1);
+                                                            if _e1192 {
+                                                                phi_1763_ = type_21();
                                                             } else {
-                                                                let _e1151 = (_e1008[1][0] - _e1008[0][0]);
-                                                                let _e1152 = (_e1008[1][1] - _e1008[0][1]);
-                                                                let _e1153 = (_e1008[1][2] - _e1008[0][2]);
-                                                                let _e1154 = vec3<f32>(_e1151, _e1152, _e1153);
-                                                                let _e1155 = (_e1008[2][0] - _e1008[1][0]);
-                                                                let _e1156 = (_e1008[2][1] - _e1008[1][1]);
-                                                                let _e1157 = (_e1008[2][2] - _e1008[1][2]);
-                                                                let _e1158 = vec3<f32>(_e1155, _e1156, _e1157);
-                                                                let _e1159 = (_e1008[0][0] - _e1008[2][0]);
-                                                                let _e1160 = (_e1008[0][1] - _e1008[2][1]);
-                                                                let _e1161 = (_e1008[0][2] - _e1008[2][2]);
-                                                                let _e1162 = vec3<f32>(_e1159, _e1160, _e1161);
-                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1151) & 2147483647u));
-                                                                let _e1168 = bitcast<f32>((bitcast<u32>(_e1152) & 2147483647u));
-                                                                let _e1170 = select(_e1168, _e1165, (_e1165 > _e1168));
-                                                                let _e1173 = bitcast<f32>((bitcast<u32>(_e1153) & 2147483647u));
-                                                                let _e1175 = select(_e1173, _e1170, (_e1170 > _e1173));
-                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1155) & 2147483647u));
-                                                                let _e1181 = bitcast<f32>((bitcast<u32>(_e1156) & 2147483647u));
-                                                                let _e1183 = select(_e1181, _e1178, (_e1178 > _e1181));
-                                                                let _e1186 = bitcast<f32>((bitcast<u32>(_e1157) & 2147483647u));
-                                                                let _e1188 = select(_e1186, _e1183, (_e1183 > _e1186));
-                                                                let _e1191 = bitcast<f32>((bitcast<u32>(_e1159) & 2147483647u));
-                                                                let _e1194 = bitcast<f32>((bitcast<u32>(_e1160) & 2147483647u));
-                                                                let _e1196 = select(_e1194, _e1191, (_e1191 > _e1194));
-                                                                let _e1199 = bitcast<f32>((bitcast<u32>(_e1161) & 2147483647u));
-                                                                let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
-                                                                let _e1203 = select(_e1188, _e1175, (_e1175 > _e1188));
-                                                                let _e1205 = select(_e1201, _e1203, (_e1203 > _e1201));
-                                                                if (_e1175 == _e1205) {
-                                                                    phi_1645_ = _e1158;
-                                                                    phi_1646_ = _e1162;
+                                                                let _e1196 = (_e999 - _e945);
+                                                                let _e1197 = (_e1012 - _e965);
+                                                                let _e1198 = (_e1025 - _e985);
+                                                                let _e1199 = vec3<f32>(_e1196, _e1197, _e1198);
+                                                                let _e1200 = (_e1039 - _e999);
+                                                                let _e1201 = (_e1052 - _e1012);
+                                                                let _e1202 = (_e1065 - _e1025);
+                                                                let _e1203 = vec3<f32>(_e1200, _e1201, _e1202);
+                                                                let _e1204 = (_e945 - _e1039);
+                                                                let _e1205 = (_e965 - _e1052);
+                                                                let _e1206 = (_e985 - _e1065);
+                                                                let _e1207 = vec3<f32>(_e1204, _e1205, _e1206);
+                                                                let _e1210 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
+                                                                let _e1213 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
+                                                                let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
+                                                                let _e1218 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
+                                                                let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
+                                                                let _e1223 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
+                                                                let _e1226 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
+                                                                let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
+                                                                let _e1231 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
+                                                                let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
+                                                                let _e1236 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
+                                                                let _e1239 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
+                                                                let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
+                                                                let _e1244 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+                                                                let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
+                                                                let _e1248 = select(_e1233, _e1220, (_e1220 > _e1233));
+                                                                let _e1250 = select(_e1246, _e1248, (_e1248 > _e1246));
+                                                                if (_e1220 == _e1250) {
+                                                                    phi_1674_ = _e1203;
+                                                                    phi_1675_ = _e1207;
                                                                 } else {
-                                                                    let _e1208 = vec3((_e1188 == _e1205));
-                                                                    phi_1645_ = select(_e1154, _e1162, _e1208);
-                                                                    phi_1646_ = select(_e1158, _e1154, _e1208);
+                                                                    let _e1253 = vec3((_e1233 == _e1250));
+                                                                    phi_1674_ = select(_e1199, _e1207, _e1253);
+                                                                    phi_1675_ = select(_e1203, _e1199, _e1253);
                                                                 }
-                                                                let _e1212 = phi_1645_;
-                                                                let _e1214 = phi_1646_;
-                                                                let _e1221 = ((_e1212.y * _e1214.z) - (_e1214.y * _e1212.z));
-                                                                let _e1226 = ((_e1212.z * _e1214.x) - (_e1214.z * _e1212.x));
-                                                                let _e1229 = ((_e1212.x * _e1214.y) - (_e1214.x * _e1212.y));
-                                                                if (_e1071 >= _e1075) {
-                                                                    phi_1677_ = select(true, false, (_e1071 >= _e1079));
+                                                                let _e1257 = phi_1674_;
+                                                                let _e1259 = phi_1675_;
+                                                                let _e1266 = ((_e1257.y * _e1259.z) - (_e1259.y * _e1257.z));
+                                                                let _e1271 = ((_e1257.z * _e1259.x) - (_e1259.z * _e1257.x));
+                                                                let _e1274 = ((_e1257.x * _e1259.y) - (_e1259.x * _e1257.y));
+                                                                if (_e1116 >= _e1120) {
+                                                                    phi_1706_ = select(true, false, (_e1116 >= _e1124));
                                                                 } else {
-                                                                    phi_1677_ = true;
+                                                                    phi_1706_ = true;
                                                                 }
-                                                                let _e1234 = phi_1677_;
-                                                                if _e1234 {
-                                                                    phi_1686_ = select(vec3<f32>(_e1008[2][0], _e1008[2][1], _e1008[2][2]), vec3<f32>(_e1008[1][0], _e1008[1][1], _e1008[1][2]), vec3((_e1075 >= _e1079)));
+                                                                let _e1279 = phi_1706_;
+                                                                if _e1279 {
+                                                                    phi_1715_ = select(vec3<f32>(_e1039, _e1052, _e1065), vec3<f32>(_e999, _e1012, _e1025), vec3((_e1120 >= _e1124)));
                                                                 } else {
-                                                                    phi_1686_ = vec3<f32>(_e1008[0][0], _e1008[0][1], _e1008[0][2]);
+                                                                    phi_1715_ = vec3<f32>(_e945, _e965, _e985);
                                                                 }
-                                                                let _e1239 = phi_1686_;
-                                                                let _e1256 = ((((_e1221 * (_e1239.x - _e302)) + (_e1226 * (_e1239.y - _e341))) + (_e1229 * (_e1239.z - _e379))) / (((_e1221 * _e327) + (_e1226 * _e365)) + (_e1229 * _e403)));
-                                                                let _e1258 = select(_e1138, _e1256, (_e1256 < _e1138));
-                                                                let _e1260 = select(_e1130, _e1258, (_e1258 > _e1130));
-                                                                if (_e1260 >= _e453) {
-                                                                    let _e1262 = (_e1260 <= _e866.member.member_1);
-                                                                    if _e1262 {
-                                                                        let _e1263 = (1f / _e1081);
-                                                                        phi_1726_ = type_21(_e1260, (_e1075 * _e1263), (_e1079 * _e1263), _e910);
+                                                                let _e1284 = phi_1715_;
+                                                                let _e1301 = ((((_e1266 * (_e1284.x - _e287)) + (_e1271 * (_e1284.y - _e326))) + (_e1274 * (_e1284.z - _e364))) / (((_e1266 * _e312) + (_e1271 * _e350)) + (_e1274 * _e388)));
+                                                                let _e1303 = select(_e1183, _e1301, (_e1301 < _e1183));
+                                                                let _e1305 = select(_e1175, _e1303, (_e1303 > _e1175));
+                                                                if (_e1305 >= _e438) {
+                                                                    let _e1307 = (_e1305 <= _e877.member.member_1);
+                                                                    if _e1307 {
+                                                                        let _e1308 = (1f / _e1126);
+                                                                        phi_1755_ = type_21(_e1305, (_e1120 * _e1308), (_e1124 * _e1308), _e911);
                                                                     } else {
-                                                                        phi_1726_ = type_21();
+                                                                        phi_1755_ = type_21();
                                                                     }
-                                                                    let _e1268 = phi_1726_;
-                                                                    phi_1728_ = _e1268;
-                                                                    phi_1729_ = select(true, false, _e1262);
+                                                                    let _e1313 = phi_1755_;
+                                                                    phi_1757_ = _e1313;
+                                                                    phi_1758_ = select(true, false, _e1307);
                                                                 } else {
-                                                                    phi_1728_ = type_21();
-                                                                    phi_1729_ = true;
+                                                                    phi_1757_ = type_21();
+                                                                    phi_1758_ = true;
                                                                 }
-                                                                let _e1271 = phi_1728_;
-                                                                let _e1273 = phi_1729_;
-                                                                if _e1273 {
-                                                                    phi_1733_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1316 = phi_1757_;
+                                                                let _e1318 = phi_1758_;
+                                                                if _e1318 {
+                                                                    phi_1762_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1733_ = _e1271;
+                                                                    phi_1762_ = _e1316;
                                                                 }
-                                                                let _e1275 = phi_1733_;
-                                                                phi_1734_ = _e1275;
+                                                                let _e1320 = phi_1762_;
+                                                                phi_1763_ = _e1320;
                                                             }
-                                                            let _e1277 = phi_1734_;
-                                                            phi_1735_ = _e1277;
-                                                            phi_1736_ = _e1147;
+                                                            let _e1322 = phi_1763_;
+                                                            phi_1764_ = _e1322;
+                                                            phi_1765_ = _e1192;
                                                         }
-                                                        let _e1279 = phi_1735_;
-                                                        let _e1281 = phi_1736_;
-                                                        phi_1740_ = _e1279;
-                                                        phi_1741_ = _e1281;
+                                                        let _e1324 = phi_1764_;
+                                                        let _e1326 = phi_1765_;
+                                                        phi_1769_ = _e1324;
+                                                        phi_1770_ = _e1326;
                                                     }
-                                                    let _e1283 = phi_1740_;
-                                                    let _e1285 = phi_1741_;
-                                                    phi_1745_ = _e1283;
-                                                    phi_1746_ = _e1285;
+                                                    let _e1328 = phi_1769_;
+                                                    let _e1330 = phi_1770_;
+                                                    phi_1774_ = _e1328;
+                                                    phi_1775_ = _e1330;
                                                 } else {
-                                                    phi_1745_ = type_21();
-                                                    phi_1746_ = true;
+                                                    phi_1774_ = type_21();
+                                                    phi_1775_ = true;
                                                 }
-                                                let _e1287 = phi_1745_;
-                                                let _e1289 = phi_1746_;
-                                                if _e1289 {
-                                                    phi_1750_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1332 = phi_1774_;
+                                                let _e1334 = phi_1775_;
+                                                if _e1334 {
+                                                    phi_1779_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1750_ = _e1287;
+                                                    phi_1779_ = _e1332;
                                                 }
-                                                let _e1291 = phi_1750_;
-                                                if (_e1291.member_3 != 4294967295u) {
-                                                    if (_e910 != 4294967295u) {
-                                                        if (_e1291.member < _e866.member.member.member) {
-                                                            phi_1776_ = true;
+                                                let _e1336 = phi_1779_;
+                                                if (_e1336.member_3 != 4294967295u) {
+                                                    if (_e911 != 4294967295u) {
+                                                        if (_e1336.member < _e877.member.member.member) {
+                                                            phi_1805_ = true;
                                                         } else {
-                                                            if (_e1291.member == _e866.member.member.member) {
-                                                                phi_1775_ = (_e1291.member_3 < _e866.member.member.member_3);
+                                                            if (_e1336.member == _e877.member.member.member) {
+                                                                phi_1804_ = (_e1336.member_3 < _e877.member.member.member_3);
                                                             } else {
-                                                                phi_1775_ = false;
+                                                                phi_1804_ = false;
                                                             }
-                                                            let _e1306 = phi_1775_;
-                                                            phi_1776_ = _e1306;
+                                                            let _e1351 = phi_1804_;
+                                                            phi_1805_ = _e1351;
                                                         }
-                                                        let _e1308 = phi_1776_;
-                                                        if _e1308 {
-                                                            phi_1783_ = type_33(type_28(_e1291, _e1291.member), _e893.member_1, _e893.member_2);
+                                                        let _e1353 = phi_1805_;
+                                                        if _e1353 {
+                                                            phi_1812_ = type_33(type_28(_e1336, _e1336.member), _e904.member_1, _e904.member_2);
                                                         } else {
-                                                            phi_1783_ = _e893;
+                                                            phi_1812_ = _e904;
                                                         }
-                                                        let _e1315 = phi_1783_;
-                                                        phi_1784_ = _e1315;
+                                                        let _e1360 = phi_1812_;
+                                                        phi_1813_ = _e1360;
                                                     } else {
-                                                        phi_1784_ = _e893;
+                                                        phi_1813_ = _e904;
                                                     }
-                                                    let _e1317 = phi_1784_;
-                                                    phi_1785_ = _e1317;
+                                                    let _e1362 = phi_1813_;
+                                                    phi_1814_ = _e1362;
                                                 } else {
-                                                    phi_1785_ = _e893;
+                                                    phi_1814_ = _e904;
                                                 }
-                                                let _e1319 = phi_1785_;
-                                                phi_2865_ = _e1007;
-                                                phi_919_ = _e1319;
+                                                let _e1364 = phi_1814_;
+                                                phi_899_ = _e1364;
                                             } else {
-                                                phi_2865_ = _e864;
-                                                phi_919_ = type_33();
+                                                phi_899_ = type_33();
                                             }
-                                            let _e1321 = phi_2865_;
-                                            let _e1323 = phi_919_;
+                                            let _e1366 = phi_899_;
                                             continue;
                                             continuing {
-                                                phi_2859_ = _e1321;
-                                                phi_918_ = _e1323;
-                                                phi_921_ = _e881;
-                                                phi_2864_ = _e1321;
-                                                break if !(_e887);
+                                                phi_898_ = _e1366;
+                                                phi_901_ = _e892;
+                                                phi_2834_ = _e471;
+                                                break if !(_e898);
                                             }
                                         }
-                                        let _e1326 = phi_2864_;
-                                        phi_2923_ = _e1326;
-                                        if _e1326 {
+                                        let _e1369 = phi_2834_;
+                                        phi_2966_ = _e1369;
+                                        if _e1369 {
                                             break;
                                         }
-                                        phi_2927_ = _e1326;
-                                        let _e1492 = local_25;
-                                        phi_2670_ = _e1492;
-                                        phi_2671_ = _e528;
-                                        phi_2672_ = false;
-                                        phi_2673_ = _e532;
+                                        phi_2970_ = _e1369;
+                                        let _e1515 = local_12;
+                                        phi_2766_ = _e1515;
+                                        phi_2767_ = _e513;
+                                        phi_2768_ = false;
+                                        phi_2769_ = _e517;
                                     } else {
-                                        local_10 = array<f32, 3>(_e528.member.member[0], _e528.member.member[1], _e528.member.member[2]);
-                                        local_9 = array<f32, 3>(_e528.member.member_1[0], _e528.member.member_1[1], _e528.member.member_1[2]);
-                                        let _e558 = (_e528.member_1 < _e90);
-                                        if _e558 {
-                                            if _e558 {
+                                        let _e533 = (_e513.member_1 < _e75);
+                                        if _e533 {
+                                            if _e533 {
                                             } else {
-                                                phi_2923_ = true;
+                                                phi_2966_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_4.member[_e528.member_1];
-                                            phi_1822_ = _e560;
+                                            let _e535 = global_4.member[_e513.member_1];
+                                            phi_1836_ = _e535;
                                         } else {
-                                            phi_1822_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1836_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e562 = phi_1822_;
-                                        let _e564 = array<u32, 3>(_e253, _e252, _e254);
-                                        local_17 = _e564;
-                                        local_13 = array<f32, 3>(0f, 0f, 0f);
-                                        local_12 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1831_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e566 = phi_1831_;
-                                            if (_e566.member < _e566.member_1) {
-                                                phi_1832_ = type_4((_e566.member + 1u), _e566.member_1);
-                                                phi_1855_ = type_4(1u, _e566.member);
+                                        let _e537 = phi_1836_;
+                                        let _e552 = ((10u * _e238) & 31u);
+                                        let _e555 = ((_e537.member[0] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e560 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e110));
+                                        let _e566 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e555) * _e560)) ^ _e110)));
+                                        let _e570 = select(select(_e513.member.member_1[0], _e566, (_e566 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e555 == 1023u));
+                                        let _e572 = ((10u * _e237) & 31u);
+                                        let _e575 = ((_e537.member[0] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e580 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e110));
+                                        let _e586 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e575) * _e580)) ^ _e110)));
+                                        let _e590 = select(select(_e513.member.member_1[1], _e586, (_e586 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e575 == 1023u));
+                                        let _e592 = ((10u * _e239) & 31u);
+                                        let _e595 = ((_e537.member[0] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e600 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e110));
+                                        let _e606 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e595) * _e600)) ^ _e110)));
+                                        let _e610 = select(select(_e513.member.member_1[2], _e606, (_e606 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e595 == 1023u));
+                                        let _e613 = ((_e537.member[1] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e619 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e613) * _e560)) ^ _e110)));
+                                        let _e623 = select(select(_e513.member.member_1[0], _e619, (_e619 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e613 == 1023u));
+                                        let _e626 = ((_e537.member[1] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e632 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e626) * _e580)) ^ _e110)));
+                                        let _e636 = select(select(_e513.member.member_1[1], _e632, (_e632 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e626 == 1023u));
+                                        let _e639 = ((_e537.member[1] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e645 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e639) * _e600)) ^ _e110)));
+                                        let _e649 = select(select(_e513.member.member_1[2], _e645, (_e645 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e639 == 1023u));
+                                        let _e655 = ((_e537.member_1[0] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e661 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e655) * _e560)) ^ _e110)));
+                                        let _e665 = select(select(_e513.member.member_1[0], _e661, (_e661 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e655 == 1023u));
+                                        let _e668 = ((_e537.member_1[0] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e674 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e668) * _e580)) ^ _e110)));
+                                        let _e678 = select(select(_e513.member.member_1[1], _e674, (_e674 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e668 == 1023u));
+                                        let _e681 = ((_e537.member_1[0] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e687 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e681) * _e600)) ^ _e110)));
+                                        let _e691 = select(select(_e513.member.member_1[2], _e687, (_e687 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e681 == 1023u));
+                                        let _e694 = ((_e537.member_1[1] >> bitcast<u32>(_e552)) & 1023u);
+                                        let _e700 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e694) * _e560)) ^ _e110)));
+                                        let _e704 = select(select(_e513.member.member_1[0], _e700, (_e700 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e694 == 1023u));
+                                        let _e707 = ((_e537.member_1[1] >> bitcast<u32>(_e572)) & 1023u);
+                                        let _e713 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e707) * _e580)) ^ _e110)));
+                                        let _e717 = select(select(_e513.member.member_1[1], _e713, (_e713 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e707 == 1023u));
+                                        let _e720 = ((_e537.member_1[1] >> bitcast<u32>(_e592)) & 1023u);
+                                        let _e726 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e720) * _e600)) ^ _e110)));
+                                        let _e730 = select(select(_e513.member.member_1[2], _e726, (_e726 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e720 == 1023u));
+                                        let _e735 = type_50(type_42(array<f32, 3>(_e570, _e590, _e610), array<f32, 3>(_e623, _e636, _e649)), _e537.member_2);
+                                        let _e740 = type_50(type_42(array<f32, 3>(_e665, _e678, _e691), array<f32, 3>(_e704, _e717, _e730)), _e537.member_3);
+                                        let _e747 = ((_e570 - _e310) * _e315);
+                                        let _e748 = ((_e665 - _e310) * _e315);
+                                        let _e749 = ((_e623 - _e311) * _e315);
+                                        let _e750 = ((_e704 - _e311) * _e315);
+                                        let _e755 = ((_e590 - _e348) * _e353);
+                                        let _e756 = ((_e678 - _e348) * _e353);
+                                        let _e757 = ((_e636 - _e349) * _e353);
+                                        let _e758 = ((_e717 - _e349) * _e353);
+                                        let _e763 = ((_e610 - _e386) * _e391);
+                                        let _e764 = ((_e691 - _e386) * _e391);
+                                        let _e765 = ((_e649 - _e387) * _e391);
+                                        let _e766 = ((_e730 - _e387) * _e391);
+                                        let _e768 = select(_e765, _e763, (_e763 < _e765));
+                                        let _e770 = select(_e766, _e764, (_e764 < _e766));
+                                        let _e772 = select(_e765, _e763, (_e763 > _e765));
+                                        let _e774 = select(_e766, _e764, (_e764 > _e766));
+                                        let _e776 = select(_e749, _e747, (_e747 < _e749));
+                                        let _e778 = select(_e750, _e748, (_e748 < _e750));
+                                        let _e780 = select(_e757, _e755, (_e755 < _e757));
+                                        let _e782 = select(_e758, _e756, (_e756 < _e758));
+                                        let _e784 = select(_e780, _e776, (_e776 > _e780));
+                                        let _e786 = select(_e782, _e778, (_e778 > _e782));
+                                        let _e788 = select(_e768, _e784, (_e784 > _e768));
+                                        let _e790 = select(_e770, _e786, (_e786 > _e770));
+                                        let _e792 = select(_e749, _e747, (_e747 > _e749));
+                                        let _e794 = select(_e750, _e748, (_e748 > _e750));
+                                        let _e796 = select(_e757, _e755, (_e755 > _e757));
+                                        let _e798 = select(_e758, _e756, (_e756 > _e758));
+                                        let _e800 = select(_e796, _e792, (_e792 < _e796));
+                                        let _e802 = select(_e798, _e794, (_e794 < _e798));
+                                        let _e807 = -(_e768);
+                                        let _e808 = -(_e770);
+                                        let _e815 = (select(_e772, _e800, (_e800 < _e772)) + (select(_e807, _e772, (_e772 > _e807)) * 0.0000019073523f));
+                                        let _e816 = (select(_e774, _e802, (_e802 < _e774)) + (select(_e808, _e774, (_e774 > _e808)) * 0.0000019073523f));
+                                        let _e818 = select(_e438, _e788, (_e788 > _e438));
+                                        let _e820 = select(_e438, _e790, (_e790 > _e438));
+                                        let _e825 = (_e818 <= select(_e473.member.member_1, _e815, (_e815 < _e473.member.member_1)));
+                                        let _e826 = (_e820 <= select(_e473.member.member_1, _e816, (_e816 < _e473.member.member_1)));
+                                        let _e827 = (_e818 <= _e820);
+                                        if _e825 {
+                                            if _e826 {
+                                                if _e827 {
+                                                    phi_2668_ = _e740;
+                                                } else {
+                                                    phi_2668_ = _e735;
+                                                }
+                                                let _e829 = phi_2668_;
+                                                let _e837 = (_e517 % 128u);
+                                                let _e838 = (_e837 < 128u);
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e837] = _e829.member_1;
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e837] = _e829.member.member[0];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e837] = _e829.member.member[1];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e837] = _e829.member.member[2];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e837] = _e829.member.member_1[0];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e837] = _e829.member.member_1[1];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local[_e837] = _e829.member.member_1[2];
+                                                if _e838 {
+                                                } else {
+                                                    phi_2966_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e837] = select(_e820, _e818, (_e818 > _e820));
+                                                if _e827 {
+                                                    phi_2745_ = _e735;
+                                                } else {
+                                                    phi_2745_ = _e740;
+                                                }
+                                                let _e855 = phi_2745_;
+                                                phi_2746_ = _e855;
+                                                phi_2747_ = (_e517 + 1u);
                                             } else {
-                                                phi_1832_ = _e566;
-                                                phi_1855_ = type_4(0u, type_4().member_1);
+                                                phi_2746_ = type_50();
+                                                phi_2747_ = u32();
                                             }
-                                            let _e579 = phi_1832_;
-                                            let _e581 = phi_1855_;
-                                            let _e585 = (bitcast<i32>(_e581.member) != 0i);
-                                            if _e585 {
-                                                let _e586 = (_e581.member_1 < 3u);
-                                                if _e586 {
-                                                } else {
-                                                    phi_2782_ = true;
-                                                    break;
-                                                }
-                                                let _e588 = local_17[_e581.member_1];
-                                                if _e586 {
-                                                } else {
-                                                    phi_2782_ = true;
-                                                    break;
-                                                }
-                                                let _e590 = local_10[_e581.member_1];
-                                                if _e586 {
-                                                } else {
-                                                    phi_2782_ = true;
-                                                    break;
-                                                }
-                                                let _e592 = local_9[_e581.member_1];
-                                                let _e595 = ((10u * _e588) & 31u);
-                                                let _e598 = ((_e562.member[0] >> bitcast<u32>(_e595)) & 1023u);
-                                                let _e603 = bitcast<f32>((bitcast<u32>(((_e592 - _e590) * 0.0009775171f)) ^ _e125));
-                                                let _e609 = (_e590 + bitcast<f32>((bitcast<u32>((f32(_e598) * _e603)) ^ _e125)));
-                                                if _e586 {
-                                                } else {
-                                                    phi_2782_ = true;
-                                                    break;
-                                                }
-                                                local_13[_e581.member_1] = select(select(_e592, _e609, (_e609 < _e592)), _e592, (_e598 == 1023u));
-                                                let _e618 = ((_e562.member[1] >> bitcast<u32>(_e595)) & 1023u);
-                                                let _e624 = (_e590 + bitcast<f32>((bitcast<u32>((f32(_e618) * _e603)) ^ _e125)));
-                                                if _e586 {
-                                                } else {
-                                                    phi_2782_ = true;
-                                                    break;
-                                                }
-                                                local_12[_e581.member_1] = select(select(_e592, _e624, (_e624 < _e592)), _e592, (_e618 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1831_ = _e579;
-                                                phi_2782_ = _e486;
-                                                break if !(_e585);
-                                            }
-                                        }
-                                        let _e632 = phi_2782_;
-                                        phi_2923_ = _e632;
-                                        if _e632 {
-                                            break;
-                                        }
-                                        let _e633 = local_12;
-                                        let _e634 = local_13;
-                                        local_16 = _e564;
-                                        local_15 = array<f32, 3>(0f, 0f, 0f);
-                                        local_14 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1985_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e643 = phi_1985_;
-                                            if (_e643.member < _e643.member_1) {
-                                                phi_1986_ = type_4((_e643.member + 1u), _e643.member_1);
-                                                phi_2009_ = type_4(1u, _e643.member);
-                                            } else {
-                                                phi_1986_ = _e643;
-                                                phi_2009_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e656 = phi_1986_;
-                                            let _e658 = phi_2009_;
-                                            let _e662 = (bitcast<i32>(_e658.member) != 0i);
-                                            if _e662 {
-                                                let _e663 = (_e658.member_1 < 3u);
-                                                if _e663 {
-                                                } else {
-                                                    phi_2842_ = true;
-                                                    break;
-                                                }
-                                                let _e665 = local_16[_e658.member_1];
-                                                if _e663 {
-                                                } else {
-                                                    phi_2842_ = true;
-                                                    break;
-                                                }
-                                                let _e667 = local_10[_e658.member_1];
-                                                if _e663 {
-                                                } else {
-                                                    phi_2842_ = true;
-                                                    break;
-                                                }
-                                                let _e669 = local_9[_e658.member_1];
-                                                let _e672 = ((10u * _e665) & 31u);
-                                                let _e675 = ((_e562.member_1[0] >> bitcast<u32>(_e672)) & 1023u);
-                                                let _e680 = bitcast<f32>((bitcast<u32>(((_e669 - _e667) * 0.0009775171f)) ^ _e125));
-                                                let _e686 = (_e667 + bitcast<f32>((bitcast<u32>((f32(_e675) * _e680)) ^ _e125)));
-                                                if _e663 {
-                                                } else {
-                                                    phi_2842_ = true;
-                                                    break;
-                                                }
-                                                local_15[_e658.member_1] = select(select(_e669, _e686, (_e686 < _e669)), _e669, (_e675 == 1023u));
-                                                let _e695 = ((_e562.member_1[1] >> bitcast<u32>(_e672)) & 1023u);
-                                                let _e701 = (_e667 + bitcast<f32>((bitcast<u32>((f32(_e695) * _e680)) ^ _e125)));
-                                                if _e663 {
-                                                } else {
-                                                    phi_2842_ = true;
-                                                    break;
-                                                }
-                                                local_14[_e658.member_1] = select(select(_e669, _e701, (_e701 < _e669)), _e669, (_e695 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1985_ = _e656;
-                                                phi_2842_ = _e632;
-                                                break if !(_e662);
-                                            }
-                                        }
-                                        let _e709 = phi_2842_;
-                                        phi_2923_ = _e709;
-                                        if _e709 {
-                                            break;
-                                        }
-                                        let _e710 = local_14;
-                                        let _e711 = local_15;
-                                        let _e722 = type_51(type_43(array<f32, 3>(_e634[0], _e634[1], _e634[2]), array<f32, 3>(_e633[0], _e633[1], _e633[2])), _e562.member_2);
-                                        let _e727 = type_51(type_43(array<f32, 3>(_e711[0], _e711[1], _e711[2]), array<f32, 3>(_e710[0], _e710[1], _e710[2])), _e562.member_3);
-                                        let _e734 = ((_e634[0] - _e325) * _e330);
-                                        let _e735 = ((_e711[0] - _e325) * _e330);
-                                        let _e736 = ((_e633[0] - _e326) * _e330);
-                                        let _e737 = ((_e710[0] - _e326) * _e330);
-                                        let _e742 = ((_e634[1] - _e363) * _e368);
-                                        let _e743 = ((_e711[1] - _e363) * _e368);
-                                        let _e744 = ((_e633[1] - _e364) * _e368);
-                                        let _e745 = ((_e710[1] - _e364) * _e368);
-                                        let _e750 = ((_e634[2] - _e401) * _e406);
-                                        let _e751 = ((_e711[2] - _e401) * _e406);
-                                        let _e752 = ((_e633[2] - _e402) * _e406);
-                                        let _e753 = ((_e710[2] - _e402) * _e406);
-                                        let _e755 = select(_e752, _e750, (_e750 < _e752));
-                                        let _e757 = select(_e753, _e751, (_e751 < _e753));
-                                        let _e759 = select(_e752, _e750, (_e750 > _e752));
-                                        let _e761 = select(_e753, _e751, (_e751 > _e753));
-                                        let _e763 = select(_e736, _e734, (_e734 < _e736));
-                                        let _e765 = select(_e737, _e735, (_e735 < _e737));
-                                        let _e767 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e769 = select(_e745, _e743, (_e743 < _e745));
-                                        let _e771 = select(_e767, _e763, (_e763 > _e767));
-                                        let _e773 = select(_e769, _e765, (_e765 > _e769));
-                                        let _e775 = select(_e755, _e771, (_e771 > _e755));
-                                        let _e777 = select(_e757, _e773, (_e773 > _e757));
-                                        let _e779 = select(_e736, _e734, (_e734 > _e736));
-                                        let _e781 = select(_e737, _e735, (_e735 > _e737));
-                                        let _e783 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e785 = select(_e745, _e743, (_e743 > _e745));
-                                        let _e787 = select(_e783, _e779, (_e779 < _e783));
-                                        let _e789 = select(_e785, _e781, (_e781 < _e785));
-                                        let _e794 = -(_e755);
-                                        let _e795 = -(_e757);
-                                        let _e802 = (select(_e759, _e787, (_e787 < _e759)) + (select(_e794, _e759, (_e759 > _e794)) * 0.0000019073523f));
-                                        let _e803 = (select(_e761, _e789, (_e789 < _e761)) + (select(_e795, _e761, (_e761 > _e795)) * 0.0000019073523f));
-                                        let _e805 = select(_e453, _e775, (_e775 > _e453));
-                                        let _e807 = select(_e453, _e777, (_e777 > _e453));
-                                        let _e812 = (_e805 <= select(_e488.member.member_1, _e802, (_e802 < _e488.member.member_1)));
-                                        let _e813 = (_e807 <= select(_e488.member.member_1, _e803, (_e803 < _e488.member.member_1)));
-                                        let _e814 = (_e805 <= _e807);
-                                        if _e812 {
-                                            if _e813 {
-                                                if _e814 {
-                                                    phi_2572_ = _e727;
-                                                } else {
-                                                    phi_2572_ = _e722;
-                                                }
-                                                let _e816 = phi_2572_;
-                                                let _e824 = (_e532 % 128u);
-                                                let _e825 = (_e824 < 128u);
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e824] = _e816.member_1;
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e824] = _e816.member.member[0];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e824] = _e816.member.member[1];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e824] = _e816.member.member[2];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e824] = _e816.member.member_1[0];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e824] = _e816.member.member_1[1];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local[_e824] = _e816.member.member_1[2];
-                                                if _e825 {
-                                                } else {
-                                                    phi_2923_ = true;
-                                                    break;
-                                                }
-                                                local_11[_e824] = select(_e807, _e805, (_e805 > _e807));
-                                                if _e814 {
-                                                    phi_2649_ = _e722;
-                                                } else {
-                                                    phi_2649_ = _e727;
-                                                }
-                                                let _e842 = phi_2649_;
-                                                phi_2650_ = _e842;
-                                                phi_2651_ = (_e532 + 1u);
-                                            } else {
-                                                phi_2650_ = type_51();
-                                                phi_2651_ = u32();
-                                            }
-                                            let _e844 = phi_2650_;
-                                            let _e846 = phi_2651_;
-                                            phi_2653_ = _e844;
-                                            phi_2654_ = _e846;
-                                            phi_2655_ = select(true, false, _e813);
+                                            let _e857 = phi_2746_;
+                                            let _e859 = phi_2747_;
+                                            phi_2749_ = _e857;
+                                            phi_2750_ = _e859;
+                                            phi_2751_ = select(true, false, _e826);
                                         } else {
-                                            phi_2653_ = type_51();
-                                            phi_2654_ = u32();
-                                            phi_2655_ = true;
+                                            phi_2749_ = type_50();
+                                            phi_2750_ = u32();
+                                            phi_2751_ = true;
                                         }
-                                        let _e849 = phi_2653_;
-                                        let _e851 = phi_2654_;
-                                        let _e853 = phi_2655_;
-                                        if _e853 {
-                                            if _e812 {
-                                                phi_2662_ = _e722;
+                                        let _e862 = phi_2749_;
+                                        let _e864 = phi_2750_;
+                                        let _e866 = phi_2751_;
+                                        if _e866 {
+                                            if _e825 {
+                                                phi_2758_ = _e735;
                                             } else {
-                                                phi_2662_ = _e727;
+                                                phi_2758_ = _e740;
                                             }
-                                            let _e855 = phi_2662_;
-                                            phi_2667_ = _e855;
-                                            phi_2668_ = select(_e813, true, _e812);
+                                            let _e868 = phi_2758_;
+                                            phi_2763_ = _e868;
+                                            phi_2764_ = select(_e826, true, _e825);
                                         } else {
-                                            phi_2667_ = _e849;
-                                            phi_2668_ = _e530;
+                                            phi_2763_ = _e862;
+                                            phi_2764_ = _e515;
                                         }
-                                        let _e858 = phi_2667_;
-                                        let _e860 = phi_2668_;
-                                        phi_2927_ = _e709;
-                                        phi_2670_ = type_33(_e488.member, (_e488.member_1 + 1u), _e488.member_2);
-                                        phi_2671_ = _e858;
-                                        phi_2672_ = _e860;
-                                        phi_2673_ = select(_e851, _e532, _e853);
+                                        let _e871 = phi_2763_;
+                                        let _e873 = phi_2764_;
+                                        phi_2970_ = _e471;
+                                        phi_2766_ = type_33(_e473.member, (_e473.member_1 + 1u), _e473.member_2);
+                                        phi_2767_ = _e871;
+                                        phi_2768_ = _e873;
+                                        phi_2769_ = select(_e864, _e517, _e866);
                                     }
-                                    let _e1328 = phi_2927_;
-                                    let _e1330 = phi_2670_;
-                                    let _e1332 = phi_2671_;
-                                    let _e1334 = phi_2672_;
-                                    let _e1336 = phi_2673_;
-                                    phi_2926_ = _e1328;
-                                    phi_2674_ = _e1330;
-                                    phi_2675_ = _e1332;
-                                    phi_2676_ = (_e492 - 1u);
-                                    phi_2677_ = _e1334;
-                                    phi_2678_ = _e1336;
+                                    let _e1371 = phi_2970_;
+                                    let _e1373 = phi_2766_;
+                                    let _e1375 = phi_2767_;
+                                    let _e1377 = phi_2768_;
+                                    let _e1379 = phi_2769_;
+                                    phi_2969_ = _e1371;
+                                    phi_2770_ = _e1373;
+                                    phi_2771_ = _e1375;
+                                    phi_2772_ = (_e477 - 1u);
+                                    phi_2773_ = _e1377;
+                                    phi_2774_ = _e1379;
                                 } else {
-                                    phi_2926_ = _e486;
-                                    phi_2674_ = _e488;
-                                    phi_2675_ = _e528;
-                                    phi_2676_ = _e492;
-                                    phi_2677_ = _e530;
-                                    phi_2678_ = _e532;
+                                    phi_2969_ = _e471;
+                                    phi_2770_ = _e473;
+                                    phi_2771_ = _e513;
+                                    phi_2772_ = _e477;
+                                    phi_2773_ = _e515;
+                                    phi_2774_ = _e517;
                                 }
-                                let _e1338 = phi_2926_;
-                                let _e1340 = phi_2674_;
-                                let _e1342 = phi_2675_;
-                                let _e1344 = phi_2676_;
-                                let _e1346 = phi_2677_;
-                                let _e1348 = phi_2678_;
-                                phi_2925_ = _e1338;
-                                phi_2679_ = _e1340;
-                                phi_2680_ = _e1342;
-                                phi_2681_ = _e1344;
-                                phi_2682_ = _e1346;
-                                phi_2683_ = _e1348;
+                                let _e1381 = phi_2969_;
+                                let _e1383 = phi_2770_;
+                                let _e1385 = phi_2771_;
+                                let _e1387 = phi_2772_;
+                                let _e1389 = phi_2773_;
+                                let _e1391 = phi_2774_;
+                                phi_2968_ = _e1381;
+                                phi_2775_ = _e1383;
+                                phi_2776_ = _e1385;
+                                phi_2777_ = _e1387;
+                                phi_2778_ = _e1389;
+                                phi_2779_ = _e1391;
                             } else {
-                                phi_2925_ = _e486;
-                                phi_2679_ = type_33();
-                                phi_2680_ = type_51();
-                                phi_2681_ = u32();
-                                phi_2682_ = bool();
-                                phi_2683_ = u32();
+                                phi_2968_ = _e471;
+                                phi_2775_ = type_33();
+                                phi_2776_ = type_50();
+                                phi_2777_ = u32();
+                                phi_2778_ = bool();
+                                phi_2779_ = u32();
                             }
-                            let _e1350 = phi_2925_;
-                            let _e1352 = phi_2679_;
-                            let _e1354 = phi_2680_;
-                            let _e1356 = phi_2681_;
-                            let _e1358 = phi_2682_;
-                            let _e1360 = phi_2683_;
-                            phi_2924_ = _e1350;
-                            phi_792_ = _e1352;
-                            phi_795_ = _e1354;
-                            phi_797_ = _e1356;
-                            phi_799_ = _e1358;
-                            phi_801_ = _e1360;
-                            phi_2684_ = _e500;
+                            let _e1393 = phi_2968_;
+                            let _e1395 = phi_2775_;
+                            let _e1397 = phi_2776_;
+                            let _e1399 = phi_2777_;
+                            let _e1401 = phi_2778_;
+                            let _e1403 = phi_2779_;
+                            phi_2967_ = _e1393;
+                            phi_772_ = _e1395;
+                            phi_775_ = _e1397;
+                            phi_777_ = _e1399;
+                            phi_779_ = _e1401;
+                            phi_781_ = _e1403;
+                            phi_2780_ = _e485;
                         } else {
-                            phi_2924_ = _e486;
-                            phi_792_ = type_33();
-                            phi_795_ = type_51();
-                            phi_797_ = u32();
-                            phi_799_ = bool();
-                            phi_801_ = u32();
-                            phi_2684_ = false;
+                            phi_2967_ = _e471;
+                            phi_772_ = type_33();
+                            phi_775_ = type_50();
+                            phi_777_ = u32();
+                            phi_779_ = bool();
+                            phi_781_ = u32();
+                            phi_2780_ = false;
                         }
-                        let _e1362 = phi_2924_;
-                        let _e1364 = phi_792_;
-                        let _e1366 = phi_795_;
-                        let _e1368 = phi_797_;
-                        let _e1370 = phi_799_;
-                        let _e1372 = phi_801_;
-                        let _e1374 = phi_2684_;
+                        let _e1405 = phi_2967_;
+                        let _e1407 = phi_772_;
+                        let _e1409 = phi_775_;
+                        let _e1411 = phi_777_;
+                        let _e1413 = phi_779_;
+                        let _e1415 = phi_781_;
+                        let _e1417 = phi_2780_;
                         continue;
                         continuing {
-                            phi_2789_ = _e1362;
-                            phi_791_ = _e1364;
-                            phi_794_ = _e1366;
-                            phi_796_ = _e1368;
-                            phi_798_ = _e1370;
-                            phi_800_ = _e1372;
-                            phi_2923_ = _e1362;
-                            break if !(_e1374);
+                            phi_2840_ = _e1405;
+                            phi_771_ = _e1407;
+                            phi_774_ = _e1409;
+                            phi_776_ = _e1411;
+                            phi_778_ = _e1413;
+                            phi_780_ = _e1415;
+                            phi_2966_ = _e1405;
+                            break if !(_e1417);
                         }
                     }
-                    let _e1377 = phi_2923_;
-                    if _e1377 {
+                    let _e1420 = phi_2966_;
+                    if _e1420 {
                         break;
                     }
-                    let _e1379 = local_23;
-                    let _e1382 = local_24;
-                    if _e141 {
+                    let _e1422 = local_10;
+                    let _e1425 = local_11;
+                    if _e126 {
                     } else {
                         break;
                     }
-                    global_5.member[_e139][0u] = _e1379.member_1;
-                    global_5.member[_e139][1u] = _e1382.member_2;
+                    global_5.member[_e124][0u] = _e1422.member_1;
+                    global_5.member[_e124][1u] = _e1425.member_2;
                 }
             }
             break;

@@ -34,7 +34,7 @@ struct type_28 {
     member_1: vec4<f32>,
 }
 
-struct type_33 {
+struct type_32 {
     member: type_24,
     member_1: f32,
 }
@@ -44,7 +44,7 @@ struct type_37 {
 }
 
 struct type_39 {
-    member: type_33,
+    member: type_32,
     member_1: u32,
     member_2: u32,
 }
@@ -57,15 +57,15 @@ struct type_45 {
     member: array<array<u32, 7>>,
 }
 
-struct type_54 {
+struct type_50 {
     member: type_28,
     member_1: u32,
 }
 
-struct type_55 {
+struct type_51 {
     member: array<vec4<f32>, 3>,
-    member_1: type_54,
-    member_2: type_54,
+    member_1: type_50,
+    member_2: type_50,
 }
 
 var<private> global: vec3<u32>;
@@ -93,413 +93,419 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var local_10: array<u32, 3>;
-    var local_11: array<array<f32, 3>, 3>;
-    var local_12: array<f32, 4>;
-    var phi_402_: i32;
-    var phi_403_: i32;
-    var phi_413_: bool;
-    var phi_423_: u32;
-    var phi_424_: u32;
-    var phi_426_: bool;
-    var phi_431_: u32;
-    var phi_444_: i32;
-    var phi_464_: i32;
-    var phi_482_: f32;
-    var phi_488_: f32;
-    var phi_499_: f32;
-    var phi_505_: f32;
-    var phi_528_: f32;
+    var phi_388_: i32;
+    var phi_389_: i32;
+    var phi_399_: bool;
+    var phi_409_: u32;
+    var phi_410_: u32;
+    var phi_412_: bool;
+    var phi_417_: u32;
+    var phi_429_: i32;
+    var phi_449_: i32;
+    var phi_467_: f32;
+    var phi_473_: f32;
+    var phi_484_: f32;
+    var phi_490_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
+    var phi_533_: f32;
     var phi_539_: f32;
-    var phi_548_: f32;
-    var phi_554_: f32;
-    var phi_565_: f32;
-    var phi_571_: f32;
-    var phi_594_: f32;
+    var phi_550_: f32;
+    var phi_556_: f32;
+    var phi_579_: f32;
+    var phi_590_: f32;
+    var phi_599_: f32;
     var phi_605_: f32;
-    var phi_614_: f32;
-    var phi_620_: f32;
-    var phi_631_: f32;
-    var phi_637_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_771_: f32;
-    var phi_772_: f32;
-    var phi_3451_: bool;
-    var phi_862_: type_39;
-    var phi_865_: type_54;
-    var phi_867_: u32;
-    var phi_869_: bool;
-    var phi_871_: u32;
-    var phi_882_: bool;
-    var phi_968_: type_54;
-    var phi_969_: bool;
-    var phi_970_: u32;
-    var phi_2459_: u32;
-    var phi_2465_: u32;
-    var phi_2719_: u32;
-    var phi_2720_: u32;
-    var phi_2730_: u32;
-    var phi_2732_: u32;
-    var phi_2733_: bool;
-    var phi_2753_: u32;
-    var phi_2754_: u32;
-    var phi_2758_: type_55;
-    var phi_3102_: type_54;
-    var phi_3179_: type_54;
-    var phi_3180_: type_54;
-    var phi_3181_: u32;
-    var phi_3183_: type_54;
-    var phi_3184_: u32;
-    var phi_3185_: bool;
-    var phi_3194_: type_54;
-    var phi_3199_: type_54;
-    var phi_3200_: bool;
-    var phi_3448_: bool;
-    var phi_989_: type_39;
-    var phi_992_: type_8;
-    var phi_993_: type_8;
-    var phi_1015_: type_8;
-    var phi_1059_: u32;
-    var phi_1065_: u32;
-    var phi_1075_: u32;
-    var phi_1091_: u32;
-    var phi_1128_: u32;
-    var phi_1134_: u32;
-    var phi_1144_: u32;
-    var phi_3433_: bool;
-    var phi_1160_: type_8;
-    var phi_1161_: type_8;
-    var phi_1184_: type_8;
-    var phi_1207_: u32;
-    var phi_1222_: u32;
-    var phi_1225_: type_8;
-    var phi_1226_: type_8;
-    var phi_1249_: type_8;
-    var phi_1315_: u32;
-    var phi_1295_: u32;
-    var phi_1296_: u32;
-    var phi_1319_: f32;
-    var phi_3426_: bool;
-    var phi_3505_: bool;
-    var phi_3504_: bool;
-    var phi_1819_: vec3<f32>;
-    var phi_1820_: vec3<f32>;
-    var phi_1851_: bool;
-    var phi_1860_: vec3<f32>;
-    var phi_1900_: type_24;
-    var phi_1902_: type_24;
-    var phi_1903_: bool;
-    var phi_1907_: type_24;
-    var phi_1908_: type_24;
-    var phi_1909_: type_24;
-    var phi_1910_: bool;
-    var phi_1914_: type_24;
-    var phi_1915_: bool;
-    var phi_1919_: type_24;
-    var phi_1920_: bool;
-    var phi_1924_: type_24;
-    var phi_1949_: bool;
-    var phi_1950_: bool;
-    var phi_1957_: type_39;
-    var phi_1958_: type_39;
-    var phi_1959_: type_39;
-    var phi_3507_: bool;
-    var phi_990_: type_39;
-    var phi_3506_: bool;
-    var phi_3569_: bool;
-    var phi_3202_: type_39;
-    var phi_3203_: type_54;
-    var phi_3204_: bool;
-    var phi_3205_: u32;
-    var phi_3568_: bool;
-    var phi_3206_: type_39;
-    var phi_3207_: type_54;
-    var phi_3208_: u32;
-    var phi_3209_: bool;
-    var phi_3210_: u32;
-    var phi_3567_: bool;
-    var phi_3211_: type_39;
-    var phi_3212_: type_54;
-    var phi_3213_: u32;
-    var phi_3214_: bool;
-    var phi_3215_: u32;
-    var phi_3566_: bool;
-    var phi_863_: type_39;
-    var phi_866_: type_54;
-    var phi_868_: u32;
-    var phi_870_: bool;
-    var phi_872_: u32;
-    var phi_3216_: bool;
-    var phi_3565_: bool;
-    var local_13: type_39;
-    var local_14: type_39;
-    var local_15: type_39;
+    var phi_616_: f32;
+    var phi_622_: f32;
+    var phi_645_: f32;
+    var phi_656_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_3776_: bool;
+    var phi_847_: type_39;
+    var phi_850_: type_50;
+    var phi_852_: u32;
+    var phi_854_: bool;
+    var phi_856_: u32;
+    var phi_867_: bool;
+    var phi_953_: type_50;
+    var phi_954_: bool;
+    var phi_955_: u32;
+    var phi_2807_: u32;
+    var phi_2813_: u32;
+    var phi_3067_: u32;
+    var phi_3068_: u32;
+    var phi_3078_: u32;
+    var phi_3080_: u32;
+    var phi_3081_: bool;
+    var phi_3101_: u32;
+    var phi_3102_: u32;
+    var phi_3106_: type_51;
+    var phi_3450_: type_50;
+    var phi_3527_: type_50;
+    var phi_3528_: type_50;
+    var phi_3529_: u32;
+    var phi_3531_: type_50;
+    var phi_3532_: u32;
+    var phi_3533_: bool;
+    var phi_3542_: type_50;
+    var phi_3547_: type_50;
+    var phi_3548_: bool;
+    var phi_974_: type_39;
+    var phi_977_: type_8;
+    var phi_978_: type_8;
+    var phi_1000_: type_8;
+    var phi_1044_: u32;
+    var phi_1050_: u32;
+    var phi_1060_: u32;
+    var phi_1076_: u32;
+    var phi_1109_: u32;
+    var phi_1115_: u32;
+    var phi_1542_: u32;
+    var phi_1560_: u32;
+    var phi_1578_: u32;
+    var phi_1598_: u32;
+    var phi_1616_: u32;
+    var phi_1634_: u32;
+    var phi_1654_: u32;
+    var phi_1672_: u32;
+    var phi_1690_: u32;
+    var phi_1268_: u32;
+    var phi_1283_: u32;
+    var phi_1293_: u32;
+    var phi_1313_: u32;
+    var phi_1333_: u32;
+    var phi_1359_: u32;
+    var phi_1374_: u32;
+    var phi_1384_: u32;
+    var phi_1404_: u32;
+    var phi_1424_: u32;
+    var phi_1450_: u32;
+    var phi_1465_: u32;
+    var phi_1475_: u32;
+    var phi_1495_: u32;
+    var phi_1515_: u32;
+    var phi_1139_: u32;
+    var phi_1182_: u32;
+    var phi_1225_: u32;
+    var phi_1696_: array<array<f32, 3>, 3>;
+    var phi_2167_: vec3<f32>;
+    var phi_2168_: vec3<f32>;
+    var phi_2199_: bool;
+    var phi_2208_: vec3<f32>;
+    var phi_2248_: type_24;
+    var phi_2250_: type_24;
+    var phi_2251_: bool;
+    var phi_2255_: type_24;
+    var phi_2256_: type_24;
+    var phi_2257_: type_24;
+    var phi_2258_: bool;
+    var phi_2262_: type_24;
+    var phi_2263_: bool;
+    var phi_2267_: type_24;
+    var phi_2268_: bool;
+    var phi_2272_: type_24;
+    var phi_2297_: bool;
+    var phi_2298_: bool;
+    var phi_2305_: type_39;
+    var phi_2306_: type_39;
+    var phi_2307_: type_39;
+    var phi_975_: type_39;
+    var phi_3770_: bool;
+    var phi_3935_: bool;
+    var phi_3550_: type_39;
+    var phi_3551_: type_50;
+    var phi_3552_: bool;
+    var phi_3553_: u32;
+    var phi_3934_: bool;
+    var phi_3554_: type_39;
+    var phi_3555_: type_50;
+    var phi_3556_: u32;
+    var phi_3557_: bool;
+    var phi_3558_: u32;
+    var phi_3933_: bool;
+    var phi_3559_: type_39;
+    var phi_3560_: type_50;
+    var phi_3561_: u32;
+    var phi_3562_: bool;
+    var phi_3563_: u32;
+    var phi_3932_: bool;
+    var phi_848_: type_39;
+    var phi_851_: type_50;
+    var phi_853_: u32;
+    var phi_855_: bool;
+    var phi_857_: u32;
+    var phi_3564_: bool;
+    var phi_3931_: bool;
+    var local_10: type_39;
+    var local_11: type_39;
+    var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e90 = global;
-            let _e92 = arrayLength((&global_4.member));
-            let _e95 = arrayLength((&global_5.member));
-            let _e103 = global_2.member[0u][0u];
-            let _e107 = global_2.member[0u][1u];
-            let _e111 = global_2.member[0u][2u];
-            let _e115 = global_2.member[0u][3u];
-            let _e119 = global_2.member[1u][0u];
-            let _e123 = global_2.member[1u][1u];
-            let _e127 = global_2.member[1u][2u];
-            let _e130 = global_1.member[0u];
-            let _e131 = bitcast<i32>(_e130);
-            let _e143 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e115) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e103), bitcast<i32>(_e107), bitcast<i32>(_e111));
-            local = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            let _e149 = (_e90.x + (_e90.y * 2097152u));
-            let _e150 = (_e149 < arrayLength((&global_3.member)));
-            if _e150 {
-                let _e151 = (_e149 < arrayLength((&global_6.member)));
-                if _e151 {
-                    if _e150 {
+            let _e86 = global;
+            let _e88 = arrayLength((&global_4.member));
+            let _e91 = arrayLength((&global_5.member));
+            let _e99 = global_2.member[0u][0u];
+            let _e103 = global_2.member[0u][1u];
+            let _e107 = global_2.member[0u][2u];
+            let _e111 = global_2.member[0u][3u];
+            let _e115 = global_2.member[1u][0u];
+            let _e119 = global_2.member[1u][1u];
+            let _e123 = global_2.member[1u][2u];
+            let _e126 = global_1.member[0u];
+            let _e127 = bitcast<i32>(_e126);
+            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
+            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
+            let _e145 = (_e86.x + (_e86.y * 2097152u));
+            let _e146 = (_e145 < arrayLength((&global_3.member)));
+            if _e146 {
+                let _e147 = (_e145 < arrayLength((&global_6.member)));
+                if _e147 {
+                    if _e146 {
                     } else {
                         break;
                     }
-                    let _e159 = global_3.member[_e149].member_2[0u];
-                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                    let _e166 = global_3.member[_e149].member_2[1u];
-                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
-                    let _e173 = global_3.member[_e149].member_2[2u];
-                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
-                    let _e180 = global_3.member[_e149].member[0u];
-                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                    let _e187 = global_3.member[_e149].member[1u];
-                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
-                    let _e194 = global_3.member[_e149].member[2u];
-                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                    let _e198 = select(_e168, _e161, (_e168 < _e161));
-                    let _e200 = select(_e175, _e198, (_e175 < _e198));
-                    let _e202 = select(_e182, _e200, (_e182 < _e200));
-                    let _e204 = select(_e189, _e202, (_e189 < _e202));
-                    let _e206 = select(_e196, _e204, (_e196 < _e204));
-                    let _e210 = global_3.member[_e149].member_1;
-                    let _e212 = (bitcast<u32>(_e210) & 2147483647u);
-                    let _e219 = global_3.member[_e149].member_3;
-                    let _e225 = (((select(_e212, _e206, (_e212 < _e206)) < 2139095040u) && ((bitcast<u32>(_e219) & 2147483647u) <= 2139095040u)) && (_e200 > 0u));
-                    if _e225 {
-                        let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
-                        if (_e228 >= 8388608u) {
-                            phi_402_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
+                    let _e155 = global_3.member[_e145].member_2[0u];
+                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                    let _e162 = global_3.member[_e145].member_2[1u];
+                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
+                    let _e169 = global_3.member[_e145].member_2[2u];
+                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
+                    let _e176 = global_3.member[_e145].member[0u];
+                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                    let _e183 = global_3.member[_e145].member[1u];
+                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
+                    let _e190 = global_3.member[_e145].member[2u];
+                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
+                    let _e194 = select(_e164, _e157, (_e164 < _e157));
+                    let _e196 = select(_e171, _e194, (_e171 < _e194));
+                    let _e198 = select(_e178, _e196, (_e178 < _e196));
+                    let _e200 = select(_e185, _e198, (_e185 < _e198));
+                    let _e202 = select(_e192, _e200, (_e192 < _e200));
+                    let _e206 = global_3.member[_e145].member_1;
+                    let _e208 = (bitcast<u32>(_e206) & 2147483647u);
+                    let _e215 = global_3.member[_e145].member_3;
+                    let _e221 = (((select(_e208, _e202, (_e208 < _e202)) < 2139095040u) && ((bitcast<u32>(_e215) & 2147483647u) <= 2139095040u)) && (_e196 > 0u));
+                    if _e221 {
+                        let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
+                        if (_e224 >= 8388608u) {
+                            phi_388_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
+                            phi_388_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
                         }
-                        let _e242 = phi_402_;
-                        phi_403_ = _e242;
+                        let _e238 = phi_388_;
+                        phi_389_ = _e238;
                     } else {
-                        phi_403_ = 0i;
+                        phi_389_ = 0i;
                     }
-                    let _e244 = phi_403_;
-                    let _e245 = (_e161 == _e200);
-                    if _e245 {
-                        phi_413_ = true;
+                    let _e240 = phi_389_;
+                    let _e241 = (_e157 == _e196);
+                    if _e241 {
+                        phi_399_ = true;
                     } else {
-                        phi_413_ = (_e168 == _e200);
+                        phi_399_ = (_e164 == _e196);
                     }
-                    let _e248 = phi_413_;
-                    let _e249 = select(1u, 0u, _e245);
-                    if _e248 {
-                        let _e250 = (_e249 + 1u);
-                        phi_423_ = _e250;
-                        phi_424_ = _e250;
-                        phi_426_ = select(true, false, (_e250 == 2u));
+                    let _e244 = phi_399_;
+                    let _e245 = select(1u, 0u, _e241);
+                    if _e244 {
+                        let _e246 = (_e245 + 1u);
+                        phi_409_ = _e246;
+                        phi_410_ = _e246;
+                        phi_412_ = select(true, false, (_e246 == 2u));
                     } else {
-                        phi_423_ = u32();
-                        phi_424_ = 0u;
-                        phi_426_ = true;
+                        phi_409_ = u32();
+                        phi_410_ = 0u;
+                        phi_412_ = true;
                     }
-                    let _e254 = phi_423_;
-                    let _e256 = phi_424_;
-                    let _e258 = phi_426_;
-                    if _e258 {
-                        phi_431_ = (_e256 + 1u);
+                    let _e250 = phi_409_;
+                    let _e252 = phi_410_;
+                    let _e254 = phi_412_;
+                    if _e254 {
+                        phi_417_ = (_e252 + 1u);
                     } else {
-                        phi_431_ = 0u;
+                        phi_417_ = 0u;
                     }
-                    let _e262 = phi_431_;
-                    let _e263 = select(_e254, _e256, _e258);
-                    let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
-                    if (_e131 < -126i) {
-                        phi_444_ = -126i;
+                    let _e258 = phi_417_;
+                    let _e259 = select(_e250, _e252, _e254);
+                    let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
+                    if (_e127 < -126i) {
+                        phi_429_ = -126i;
                     } else {
-                        phi_444_ = select(_e131, 127i, (_e131 > 127i));
+                        phi_429_ = select(_e127, 127i, (_e127 > 127i));
                     }
-                    let _e269 = phi_444_;
-                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
-                    let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
-                    let _e281 = -(_e244);
-                    if (_e281 < -126i) {
-                        phi_464_ = -126i;
+                    let _e265 = phi_429_;
+                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = -(_e240);
+                    if (_e277 < -126i) {
+                        phi_449_ = -126i;
                     } else {
-                        phi_464_ = select(_e281, 127i, (_e281 > 127i));
+                        phi_449_ = select(_e277, 127i, (_e277 > 127i));
                     }
-                    let _e286 = phi_464_;
-                    let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
-                    let _e301 = global_3.member[_e149].member;
-                    let _e302 = (_e263 == 0u);
-                    if _e302 {
-                        phi_482_ = _e301[0];
+                    let _e282 = phi_449_;
+                    let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
+                    let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
+                    let _e297 = global_3.member[_e145].member;
+                    let _e298 = (_e259 == 0u);
+                    if _e298 {
+                        phi_467_ = _e297[0];
                     } else {
-                        phi_482_ = _e301[1];
+                        phi_467_ = _e297[1];
                     }
-                    let _e306 = phi_482_;
-                    let _e307 = (_e263 == 2u);
-                    if _e307 {
-                        phi_488_ = _e301[2];
+                    let _e302 = phi_467_;
+                    let _e303 = (_e259 == 2u);
+                    if _e303 {
+                        phi_473_ = _e297[2];
                     } else {
-                        phi_488_ = _e306;
+                        phi_473_ = _e302;
                     }
-                    let _e310 = phi_488_;
-                    let _e312 = ((_e310 * _e274) * _e280);
-                    let _e313 = global_3.member[_e149].member_2;
-                    if _e302 {
-                        phi_499_ = _e313[0];
+                    let _e306 = phi_473_;
+                    let _e308 = ((_e306 * _e270) * _e276);
+                    let _e309 = global_3.member[_e145].member_2;
+                    if _e298 {
+                        phi_484_ = _e309[0];
                     } else {
-                        phi_499_ = _e313[1];
+                        phi_484_ = _e309[1];
                     }
-                    let _e317 = phi_499_;
-                    if _e307 {
-                        phi_505_ = _e313[2];
+                    let _e313 = phi_484_;
+                    if _e303 {
+                        phi_490_ = _e309[2];
                     } else {
-                        phi_505_ = _e317;
+                        phi_490_ = _e313;
                     }
-                    let _e320 = phi_505_;
-                    let _e322 = ((_e320 * _e291) * _e297);
-                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e326 {
-                        let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
-                        phi_528_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
+                    let _e316 = phi_490_;
+                    let _e318 = ((_e316 * _e287) * _e293);
+                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e322 {
+                        let _e326 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
                     } else {
-                        phi_528_ = 0f;
+                        phi_513_ = 0f;
                     }
-                    let _e334 = phi_528_;
-                    let _e335 = (_e312 + _e334);
-                    let _e336 = (_e312 - _e334);
-                    let _e337 = select(_e322, 0f, _e326);
-                    if _e326 {
-                        phi_539_ = 38685626000000000000000000f;
+                    let _e330 = phi_513_;
+                    let _e331 = (_e308 + _e330);
+                    let _e332 = (_e308 - _e330);
+                    let _e333 = select(_e318, 0f, _e322);
+                    if _e322 {
+                        phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_539_ = (1f / _e322);
+                        phi_524_ = (1f / _e318);
                     }
-                    let _e340 = phi_539_;
-                    let _e341 = (_e262 == 0u);
-                    if _e341 {
-                        phi_548_ = _e301[0];
+                    let _e336 = phi_524_;
+                    let _e337 = (_e258 == 0u);
+                    if _e337 {
+                        phi_533_ = _e297[0];
                     } else {
-                        phi_548_ = _e301[1];
+                        phi_533_ = _e297[1];
                     }
-                    let _e345 = phi_548_;
-                    let _e346 = (_e262 == 2u);
-                    if _e346 {
-                        phi_554_ = _e301[2];
+                    let _e341 = phi_533_;
+                    let _e342 = (_e258 == 2u);
+                    if _e342 {
+                        phi_539_ = _e297[2];
                     } else {
-                        phi_554_ = _e345;
+                        phi_539_ = _e341;
                     }
-                    let _e349 = phi_554_;
-                    let _e351 = ((_e349 * _e274) * _e280);
-                    if _e341 {
-                        phi_565_ = _e313[0];
+                    let _e345 = phi_539_;
+                    let _e347 = ((_e345 * _e270) * _e276);
+                    if _e337 {
+                        phi_550_ = _e309[0];
                     } else {
-                        phi_565_ = _e313[1];
+                        phi_550_ = _e309[1];
                     }
-                    let _e355 = phi_565_;
-                    if _e346 {
-                        phi_571_ = _e313[2];
+                    let _e351 = phi_550_;
+                    if _e342 {
+                        phi_556_ = _e309[2];
                     } else {
-                        phi_571_ = _e355;
+                        phi_556_ = _e351;
                     }
-                    let _e358 = phi_571_;
-                    let _e360 = ((_e358 * _e291) * _e297);
-                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e364 {
-                        let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
-                        phi_594_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
+                    let _e354 = phi_556_;
+                    let _e356 = ((_e354 * _e287) * _e293);
+                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e360 {
+                        let _e364 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) * 0.00000011920929f);
+                        phi_579_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
                     } else {
-                        phi_594_ = 0f;
+                        phi_579_ = 0f;
                     }
-                    let _e372 = phi_594_;
-                    let _e373 = (_e351 + _e372);
-                    let _e374 = (_e351 - _e372);
-                    let _e375 = select(_e360, 0f, _e364);
-                    if _e364 {
-                        phi_605_ = 38685626000000000000000000f;
+                    let _e368 = phi_579_;
+                    let _e369 = (_e347 + _e368);
+                    let _e370 = (_e347 - _e368);
+                    let _e371 = select(_e356, 0f, _e360);
+                    if _e360 {
+                        phi_590_ = 38685626000000000000000000f;
                     } else {
-                        phi_605_ = (1f / _e360);
+                        phi_590_ = (1f / _e356);
                     }
-                    let _e378 = phi_605_;
-                    let _e379 = (_e264 == 0u);
-                    if _e379 {
-                        phi_614_ = _e301[0];
+                    let _e374 = phi_590_;
+                    let _e375 = (_e260 == 0u);
+                    if _e375 {
+                        phi_599_ = _e297[0];
                     } else {
-                        phi_614_ = _e301[1];
+                        phi_599_ = _e297[1];
                     }
-                    let _e383 = phi_614_;
-                    let _e384 = (_e264 == 2u);
-                    if _e384 {
-                        phi_620_ = _e301[2];
+                    let _e379 = phi_599_;
+                    let _e380 = (_e260 == 2u);
+                    if _e380 {
+                        phi_605_ = _e297[2];
                     } else {
-                        phi_620_ = _e383;
+                        phi_605_ = _e379;
                     }
-                    let _e387 = phi_620_;
-                    let _e389 = ((_e387 * _e274) * _e280);
-                    if _e379 {
-                        phi_631_ = _e313[0];
+                    let _e383 = phi_605_;
+                    let _e385 = ((_e383 * _e270) * _e276);
+                    if _e375 {
+                        phi_616_ = _e309[0];
                     } else {
-                        phi_631_ = _e313[1];
+                        phi_616_ = _e309[1];
                     }
-                    let _e393 = phi_631_;
-                    if _e384 {
-                        phi_637_ = _e313[2];
+                    let _e389 = phi_616_;
+                    if _e380 {
+                        phi_622_ = _e309[2];
                     } else {
-                        phi_637_ = _e393;
+                        phi_622_ = _e389;
                     }
-                    let _e396 = phi_637_;
-                    let _e398 = ((_e396 * _e291) * _e297);
-                    let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e402 {
-                        let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
-                        phi_660_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
+                    let _e392 = phi_622_;
+                    let _e394 = ((_e392 * _e287) * _e293);
+                    let _e398 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e398 {
+                        let _e402 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
+                        phi_645_ = select(0.00000000000011368684f, _e402, (_e402 > 0.00000000000011368684f));
                     } else {
-                        phi_660_ = 0f;
+                        phi_645_ = 0f;
                     }
-                    let _e410 = phi_660_;
-                    let _e411 = (_e389 + _e410);
-                    let _e412 = (_e389 - _e410);
-                    let _e413 = select(_e398, 0f, _e402);
-                    if _e402 {
-                        phi_671_ = 38685626000000000000000000f;
+                    let _e406 = phi_645_;
+                    let _e407 = (_e385 + _e406);
+                    let _e408 = (_e385 - _e406);
+                    let _e409 = select(_e394, 0f, _e398);
+                    if _e398 {
+                        phi_656_ = 38685626000000000000000000f;
                     } else {
-                        phi_671_ = (1f / _e398);
+                        phi_656_ = (1f / _e394);
                     }
-                    let _e416 = phi_671_;
-                    let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
-                    let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
-                    let _e424 = select(_e422, _e419, (_e419 > _e422));
-                    let _e427 = bitcast<f32>((bitcast<u32>(_e389) & 2147483647u));
-                    let _e430 = (_e131 + _e244);
-                    if (_e225 && (select(_e427, _e424, (_e424 > _e427)) <= 1099511600000f)) {
-                        let _e433 = (_e430 / 3i);
-                        let _e440 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
-                        let _e447 = bitcast<f32>((bitcast<u32>(((_e430 - (2i * _e433)) + 127i)) << bitcast<u32>(23i)));
-                        let _e448 = (((_e210 * _e440) * _e440) * _e447);
-                        let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
-                        let _e455 = (((_e219 * _e440) * _e440) * _e447);
-                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
-                        phi_771_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
-                        phi_772_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
+                    let _e412 = phi_656_;
+                    let _e415 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
+                    let _e418 = bitcast<f32>((bitcast<u32>(_e347) & 2147483647u));
+                    let _e420 = select(_e418, _e415, (_e415 > _e418));
+                    let _e423 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
+                    let _e426 = (_e127 + _e240);
+                    if (_e221 && (select(_e423, _e420, (_e420 > _e423)) <= 1099511600000f)) {
+                        let _e429 = (_e426 / 3i);
+                        let _e436 = bitcast<f32>((bitcast<u32>((_e429 + 127i)) << bitcast<u32>(23i)));
+                        let _e443 = bitcast<f32>((bitcast<u32>(((_e426 - (2i * _e429)) + 127i)) << bitcast<u32>(23i)));
+                        let _e444 = (((_e206 * _e436) * _e436) * _e443);
+                        let _e446 = select(340282350000000000000000000000000000000f, _e444, (_e444 < 340282350000000000000000000000000000000f));
+                        let _e451 = (((_e215 * _e436) * _e436) * _e443);
+                        let _e453 = select(340282350000000000000000000000000000000f, _e451, (_e451 < 340282350000000000000000000000000000000f));
+                        phi_756_ = select(-340282350000000000000000000000000000000f, _e453, (_e453 > -340282350000000000000000000000000000000f));
+                        phi_757_ = select(-340282350000000000000000000000000000000f, _e446, (_e446 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_771_ = 0f;
-                        phi_772_ = 1f;
+                        phi_756_ = 0f;
+                        phi_757_ = 1f;
                     }
-                    let _e461 = phi_771_;
-                    let _e463 = phi_772_;
+                    let _e457 = phi_756_;
+                    let _e459 = phi_757_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -508,1058 +514,1201 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e468 = (_e263 % 3u);
-                    let _e469 = (_e468 < 3u);
-                    if _e469 {
+                    let _e464 = (_e259 % 3u);
+                    let _e465 = (_e464 < 3u);
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e471 = local_1[_e468];
-                    let _e474 = (_e262 % 3u);
-                    let _e475 = (_e474 < 3u);
-                    if _e475 {
+                    let _e467 = local_1[_e464];
+                    let _e470 = (_e258 % 3u);
+                    let _e471 = (_e470 < 3u);
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e477 = local_1[_e474];
-                    let _e480 = (_e264 % 3u);
-                    let _e481 = (_e480 < 3u);
-                    if _e481 {
+                    let _e473 = local_1[_e470];
+                    let _e476 = (_e260 % 3u);
+                    let _e477 = (_e476 < 3u);
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e483 = local_1[_e480];
-                    if _e469 {
+                    let _e479 = local_1[_e476];
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e468];
-                    if _e475 {
+                    let _e484 = local[_e464];
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e474];
-                    if _e481 {
+                    let _e488 = local[_e470];
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e496 = local[_e480];
-                    phi_3451_ = false;
-                    phi_862_ = type_39(type_33(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e461), 0u, 0u);
-                    phi_865_ = type_54(type_28(vec4<f32>((f32(_e471) * _e143), (f32(_e477) * _e143), (f32(_e483) * _e143), 0f), vec4<f32>((f32(_e488) * _e143), (f32(_e492) * _e143), (f32(_e496) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
-                    phi_867_ = ((3u * _e92) + 1u);
-                    phi_869_ = (_e463 <= _e461);
-                    phi_871_ = 0u;
+                    let _e492 = local[_e476];
+                    phi_3776_ = false;
+                    phi_847_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e457), 0u, 0u);
+                    phi_850_ = type_50(type_28(vec4<f32>((f32(_e467) * _e139), (f32(_e473) * _e139), (f32(_e479) * _e139), 0f), vec4<f32>((f32(_e484) * _e139), (f32(_e488) * _e139), (f32(_e492) * _e139), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_852_ = ((3u * _e88) + 1u);
+                    phi_854_ = (_e459 <= _e457);
+                    phi_856_ = 0u;
                     loop {
-                        let _e506 = phi_3451_;
-                        let _e508 = phi_862_;
-                        let _e510 = phi_865_;
-                        let _e512 = phi_867_;
-                        let _e514 = phi_869_;
-                        let _e516 = phi_871_;
-                        local_13 = _e508;
-                        local_14 = _e508;
-                        if _e514 {
-                            phi_882_ = true;
+                        let _e502 = phi_3776_;
+                        let _e504 = phi_847_;
+                        let _e506 = phi_850_;
+                        let _e508 = phi_852_;
+                        let _e510 = phi_854_;
+                        let _e512 = phi_856_;
+                        local_10 = _e504;
+                        local_11 = _e504;
+                        if _e510 {
+                            phi_867_ = true;
                         } else {
-                            phi_882_ = (_e516 > 0u);
+                            phi_867_ = (_e512 > 0u);
                         }
-                        let _e519 = phi_882_;
-                        if _e519 {
-                            let _e520 = (_e512 > 0u);
-                            if _e520 {
-                                if _e514 {
-                                    phi_968_ = _e510;
-                                    phi_969_ = _e514;
-                                    phi_970_ = _e516;
+                        let _e515 = phi_867_;
+                        if _e515 {
+                            let _e516 = (_e508 > 0u);
+                            if _e516 {
+                                if _e510 {
+                                    phi_953_ = _e506;
+                                    phi_954_ = _e510;
+                                    phi_955_ = _e512;
                                 } else {
-                                    let _e521 = (_e516 - 1u);
-                                    let _e522 = (_e521 % 128u);
-                                    let _e523 = (_e522 < 128u);
-                                    if _e523 {
+                                    let _e517 = (_e512 - 1u);
+                                    let _e518 = (_e517 % 128u);
+                                    let _e519 = (_e518 < 128u);
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e525 = local_7[_e522];
-                                    if _e523 {
+                                    let _e521 = local_7[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e527 = local_6[_e522];
-                                    if _e523 {
+                                    let _e523 = local_6[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e529 = local_5[_e522];
-                                    if _e523 {
+                                    let _e525 = local_5[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e531 = local_4[_e522];
-                                    if _e523 {
+                                    let _e527 = local_4[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e533 = local_3[_e522];
-                                    if _e523 {
+                                    let _e529 = local_3[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e535 = local_2[_e522];
-                                    if _e523 {
+                                    let _e531 = local_2[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e540 = local_8[_e522];
-                                    if _e523 {
+                                    let _e536 = local_8[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3565_ = true;
+                                        phi_3931_ = true;
                                         break;
                                     }
-                                    let _e543 = local_9[_e522];
-                                    phi_968_ = type_54(type_28(vec4<f32>(_e525, _e527, _e529, 0f), vec4<f32>(_e531, _e533, _e535, 0f)), _e540);
-                                    phi_969_ = (_e543 <= _e508.member.member_1);
-                                    phi_970_ = _e521;
+                                    let _e539 = local_9[_e518];
+                                    phi_953_ = type_50(type_28(vec4<f32>(_e521, _e523, _e525, 0f), vec4<f32>(_e527, _e529, _e531, 0f)), _e536);
+                                    phi_954_ = (_e539 <= _e504.member.member_1);
+                                    phi_955_ = _e517;
                                 }
-                                let _e548 = phi_968_;
-                                let _e550 = phi_969_;
-                                let _e552 = phi_970_;
-                                if _e550 {
-                                    let _e557 = (_e548.member_1 & 268435455u);
-                                    if ((_e548.member_1 & 2147483648u) != 0u) {
-                                        phi_3448_ = _e506;
-                                        phi_989_ = _e508;
-                                        phi_992_ = type_8(0u, ((_e548.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e544 = phi_953_;
+                                let _e546 = phi_954_;
+                                let _e548 = phi_955_;
+                                if _e546 {
+                                    let _e553 = (_e544.member_1 & 268435455u);
+                                    if ((_e544.member_1 & 2147483648u) != 0u) {
+                                        phi_974_ = _e504;
+                                        phi_977_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1042 = phi_3448_;
-                                            let _e1044 = phi_989_;
-                                            let _e1046 = phi_992_;
-                                            local_15 = _e1044;
-                                            if (_e1046.member < _e1046.member_1) {
-                                                phi_993_ = type_8((_e1046.member + 1u), _e1046.member_1);
-                                                phi_1015_ = type_8(1u, _e1046.member);
+                                            let _e1038 = phi_974_;
+                                            let _e1040 = phi_977_;
+                                            local_12 = _e1038;
+                                            if (_e1040.member < _e1040.member_1) {
+                                                phi_978_ = type_8((_e1040.member + 1u), _e1040.member_1);
+                                                phi_1000_ = type_8(1u, _e1040.member);
                                             } else {
-                                                phi_993_ = _e1046;
-                                                phi_1015_ = type_8(0u, type_8().member_1);
+                                                phi_978_ = _e1040;
+                                                phi_1000_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1059 = phi_993_;
-                                            let _e1061 = phi_1015_;
-                                            let _e1065 = (bitcast<i32>(_e1061.member) != 0i);
-                                            if _e1065 {
-                                                let _e1071 = type_39(_e1044.member, _e1044.member_1, (_e1044.member_2 + 1u));
-                                                let _e1076 = (_e548.member.member_1.x - _e548.member.member.x);
-                                                let _e1079 = (_e548.member.member_1.y - _e548.member.member.y);
-                                                let _e1082 = (_e548.member.member_1.z - _e548.member.member.z);
-                                                let _e1084 = select(_e1079, _e1076, (_e1076 > _e1079));
-                                                let _e1086 = select(_e1082, _e1084, (_e1084 > _e1082));
-                                                let _e1088 = (_e1086 < (1024f * _e143));
-                                                if _e1088 {
-                                                    phi_1059_ = 0u;
+                                            let _e1053 = phi_978_;
+                                            let _e1055 = phi_1000_;
+                                            let _e1059 = (bitcast<i32>(_e1055.member) != 0i);
+                                            if _e1059 {
+                                                let _e1065 = type_39(_e1038.member, _e1038.member_1, (_e1038.member_2 + 1u));
+                                                let _e1070 = (_e544.member.member_1.x - _e544.member.member.x);
+                                                let _e1073 = (_e544.member.member_1.y - _e544.member.member.y);
+                                                let _e1076 = (_e544.member.member_1.z - _e544.member.member.z);
+                                                let _e1078 = select(_e1073, _e1070, (_e1070 > _e1073));
+                                                let _e1080 = select(_e1076, _e1078, (_e1078 > _e1076));
+                                                let _e1082 = (_e1080 < (1024f * _e139));
+                                                if _e1082 {
+                                                    phi_1044_ = 0u;
                                                 } else {
-                                                    phi_1059_ = select(2u, 1u, (_e1086 < (2097152f * _e143)));
+                                                    phi_1044_ = select(2u, 1u, (_e1080 < (2097152f * _e139)));
                                                 }
-                                                let _e1093 = phi_1059_;
-                                                switch bitcast<i32>(_e1093) {
+                                                let _e1087 = phi_1044_;
+                                                switch bitcast<i32>(_e1087) {
                                                     case 0: {
-                                                        phi_1065_ = 1u;
+                                                        phi_1050_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1065_ = 2u;
+                                                        phi_1050_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1065_ = 3u;
+                                                        phi_1050_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1065_ = u32();
+                                                        phi_1050_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1096 = phi_1065_;
-                                                switch bitcast<i32>(_e1093) {
+                                                let _e1090 = phi_1050_;
+                                                switch bitcast<i32>(_e1087) {
                                                     case 0: {
-                                                        phi_1075_ = 1u;
+                                                        phi_1060_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1075_ = 2u;
+                                                        phi_1060_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1075_ = 3u;
+                                                        phi_1060_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1075_ = u32();
+                                                        phi_1060_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1103 = phi_1075_;
-                                                let _e1105 = ((_e557 + (_e1061.member_1 * ((3u * _e1096) + 1u))) + (3u * _e1103));
-                                                let _e1106 = (_e1105 < _e95);
-                                                if _e1106 {
-                                                    if _e1106 {
+                                                let _e1097 = phi_1060_;
+                                                let _e1099 = ((_e553 + (_e1055.member_1 * ((3u * _e1090) + 1u))) + (3u * _e1097));
+                                                let _e1100 = (_e1099 < _e91);
+                                                if _e1100 {
+                                                    if _e1100 {
                                                     } else {
-                                                        phi_3506_ = true;
+                                                        phi_3770_ = true;
                                                         break;
                                                     }
-                                                    let _e1108 = global_5.member[_e1105];
-                                                    phi_1091_ = _e1108;
+                                                    let _e1102 = global_5.member[_e1099];
+                                                    phi_1076_ = _e1102;
                                                 } else {
-                                                    phi_1091_ = 4294967295u;
+                                                    phi_1076_ = 4294967295u;
                                                 }
-                                                let _e1110 = phi_1091_;
-                                                local_10 = array<u32, 3>(_e263, _e262, _e264);
-                                                if _e1088 {
-                                                    phi_1128_ = 0u;
+                                                let _e1104 = phi_1076_;
+                                                if _e1082 {
+                                                    phi_1109_ = 0u;
                                                 } else {
-                                                    phi_1128_ = select(2u, 1u, (_e1086 < (2097152f * _e143)));
+                                                    phi_1109_ = select(2u, 1u, (_e1080 < (2097152f * _e139)));
                                                 }
-                                                let _e1116 = phi_1128_;
-                                                switch bitcast<i32>(_e1116) {
+                                                let _e1109 = phi_1109_;
+                                                switch bitcast<i32>(_e1109) {
                                                     case 0: {
-                                                        phi_1134_ = 1u;
+                                                        phi_1115_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1134_ = 2u;
+                                                        phi_1115_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1134_ = 3u;
+                                                        phi_1115_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1134_ = u32();
+                                                        phi_1115_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1119 = phi_1134_;
-                                                switch bitcast<i32>(_e1116) {
+                                                let _e1112 = phi_1115_;
+                                                let _e1116 = (_e553 + (_e1055.member_1 * ((3u * _e1112) + 1u)));
+                                                switch bitcast<i32>(_e1109) {
                                                     case 0: {
-                                                        phi_1144_ = 1u;
-                                                        break;
-                                                    }
-                                                    case 1: {
-                                                        phi_1144_ = 2u;
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        phi_1144_ = 3u;
-                                                        break;
-                                                    }
-                                                    default: {
-                                                        phi_1144_ = u32();
-                                                        break;
-                                                    }
-                                                }
-                                                let _e1126 = phi_1144_;
-                                                local_12 = array<f32, 4>(_e548.member.member.x, _e548.member.member.y, _e548.member.member.z, _e548.member.member.w);
-                                                local_11[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3433_ = _e1042;
-                                                phi_1160_ = type_8(0u, 3u);
-                                                loop {
-                                                    let _e1140 = phi_3433_;
-                                                    let _e1142 = phi_1160_;
-                                                    if (_e1142.member < _e1142.member_1) {
-                                                        phi_1161_ = type_8((_e1142.member + 1u), _e1142.member_1);
-                                                        phi_1184_ = type_8(1u, _e1142.member);
-                                                    } else {
-                                                        phi_1161_ = _e1142;
-                                                        phi_1184_ = type_8(0u, type_8().member_1);
-                                                    }
-                                                    let _e1155 = phi_1161_;
-                                                    let _e1157 = phi_1184_;
-                                                    let _e1161 = (bitcast<i32>(_e1157.member) != 0i);
-                                                    if _e1161 {
-                                                        let _e1163 = ((_e557 + (_e1061.member_1 * ((3u * _e1119) + 1u))) + (_e1157.member_1 * _e1126));
-                                                        let _e1164 = (_e1163 < _e95);
-                                                        if _e1164 {
-                                                            if _e1164 {
+                                                        let _e1382 = (_e1116 < _e91);
+                                                        if _e1382 {
+                                                            if _e1382 {
                                                             } else {
-                                                                phi_3504_ = true;
+                                                                phi_3770_ = true;
                                                                 break;
                                                             }
-                                                            let _e1166 = global_5.member[_e1163];
-                                                            phi_1207_ = _e1166;
+                                                            let _e1384 = global_5.member[_e1116];
+                                                            phi_1139_ = _e1384;
                                                         } else {
-                                                            phi_1207_ = 0u;
+                                                            phi_1139_ = 0u;
                                                         }
-                                                        let _e1168 = phi_1207_;
-                                                        let _e1169 = (_e1163 + 1u);
-                                                        let _e1170 = (_e1169 < _e95);
-                                                        if _e1170 {
-                                                            if _e1170 {
+                                                        let _e1386 = phi_1139_;
+                                                        let _e1388 = ((10u * _e259) & 31u);
+                                                        let _e1397 = ((10u * _e258) & 31u);
+                                                        let _e1406 = ((10u * _e260) & 31u);
+                                                        let _e1415 = (_e1116 + 1u);
+                                                        let _e1416 = (_e1415 < _e91);
+                                                        if _e1416 {
+                                                            if _e1416 {
                                                             } else {
-                                                                phi_3504_ = true;
+                                                                phi_3770_ = true;
                                                                 break;
                                                             }
-                                                            let _e1172 = global_5.member[_e1169];
-                                                            phi_1222_ = _e1172;
+                                                            let _e1418 = global_5.member[_e1415];
+                                                            phi_1182_ = _e1418;
                                                         } else {
-                                                            phi_1222_ = 0u;
+                                                            phi_1182_ = 0u;
                                                         }
-                                                        let _e1174 = phi_1222_;
-                                                        phi_1225_ = type_8(0u, 3u);
-                                                        loop {
-                                                            let _e1176 = phi_1225_;
-                                                            if (_e1176.member < _e1176.member_1) {
-                                                                phi_1226_ = type_8((_e1176.member + 1u), _e1176.member_1);
-                                                                phi_1249_ = type_8(1u, _e1176.member);
+                                                        let _e1420 = phi_1182_;
+                                                        let _e1443 = (_e1116 + 2u);
+                                                        let _e1444 = (_e1443 < _e91);
+                                                        if _e1444 {
+                                                            if _e1444 {
                                                             } else {
-                                                                phi_1226_ = _e1176;
-                                                                phi_1249_ = type_8(0u, type_8().member_1);
+                                                                phi_3770_ = true;
+                                                                break;
                                                             }
-                                                            let _e1189 = phi_1226_;
-                                                            let _e1191 = phi_1249_;
-                                                            let _e1195 = (bitcast<i32>(_e1191.member) != 0i);
+                                                            let _e1446 = global_5.member[_e1443];
+                                                            phi_1225_ = _e1446;
+                                                        } else {
+                                                            phi_1225_ = 0u;
+                                                        }
+                                                        let _e1448 = phi_1225_;
+                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))));
+                                                        break;
+                                                    }
+                                                    case 1: {
+                                                        let _e1205 = (_e1116 < _e91);
+                                                        if _e1205 {
+                                                            if _e1205 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1207 = global_5.member[_e1116];
+                                                            phi_1268_ = _e1207;
+                                                        } else {
+                                                            phi_1268_ = 0u;
+                                                        }
+                                                        let _e1209 = phi_1268_;
+                                                        let _e1210 = (_e1116 + 1u);
+                                                        let _e1211 = (_e1210 < _e91);
+                                                        if _e1211 {
+                                                            if _e1211 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1213 = global_5.member[_e1210];
+                                                            phi_1283_ = _e1213;
+                                                        } else {
+                                                            phi_1283_ = 0u;
+                                                        }
+                                                        let _e1215 = phi_1283_;
+                                                        let _e1216 = (_e259 == 1u);
+                                                        if _e1216 {
+                                                            phi_1293_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1293_ = (_e1215 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1225 = phi_1293_;
+                                                        let _e1232 = (_e258 == 1u);
+                                                        if _e1232 {
+                                                            phi_1313_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1313_ = (_e1215 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1241 = phi_1313_;
+                                                        let _e1248 = (_e260 == 1u);
+                                                        if _e1248 {
+                                                            phi_1333_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1333_ = (_e1215 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1257 = phi_1333_;
+                                                        let _e1265 = (_e1116 + 2u);
+                                                        let _e1266 = (_e1265 < _e91);
+                                                        if _e1266 {
+                                                            if _e1266 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1268 = global_5.member[_e1265];
+                                                            phi_1359_ = _e1268;
+                                                        } else {
+                                                            phi_1359_ = 0u;
+                                                        }
+                                                        let _e1270 = phi_1359_;
+                                                        let _e1271 = (_e1116 + 3u);
+                                                        let _e1272 = (_e1271 < _e91);
+                                                        if _e1272 {
+                                                            if _e1272 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1274 = global_5.member[_e1271];
+                                                            phi_1374_ = _e1274;
+                                                        } else {
+                                                            phi_1374_ = 0u;
+                                                        }
+                                                        let _e1276 = phi_1374_;
+                                                        if _e1216 {
+                                                            phi_1384_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1384_ = (_e1276 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1285 = phi_1384_;
+                                                        if _e1232 {
+                                                            phi_1404_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1404_ = (_e1276 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1300 = phi_1404_;
+                                                        if _e1248 {
+                                                            phi_1424_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1424_ = (_e1276 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1315 = phi_1424_;
+                                                        let _e1323 = (_e1116 + 4u);
+                                                        let _e1324 = (_e1323 < _e91);
+                                                        if _e1324 {
+                                                            if _e1324 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1326 = global_5.member[_e1323];
+                                                            phi_1450_ = _e1326;
+                                                        } else {
+                                                            phi_1450_ = 0u;
+                                                        }
+                                                        let _e1328 = phi_1450_;
+                                                        let _e1329 = (_e1116 + 5u);
+                                                        let _e1330 = (_e1329 < _e91);
+                                                        if _e1330 {
+                                                            if _e1330 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1332 = global_5.member[_e1329];
+                                                            phi_1465_ = _e1332;
+                                                        } else {
+                                                            phi_1465_ = 0u;
+                                                        }
+                                                        let _e1334 = phi_1465_;
+                                                        if _e1216 {
+                                                            phi_1475_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1475_ = (_e1334 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1343 = phi_1475_;
+                                                        if _e1232 {
+                                                            phi_1495_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1495_ = (_e1334 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1358 = phi_1495_;
+                                                        if _e1248 {
+                                                            phi_1515_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1515_ = (_e1334 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1373 = phi_1515_;
+                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1225, _e1209, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1241, _e1209, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1257, _e1209, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1285, _e1270, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1300, _e1270, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1315, _e1270, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1343, _e1328, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1358, _e1328, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1373, _e1328, _e375) & 2097151u))) * _e139))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1118 = (_e1116 + _e259);
+                                                        let _e1119 = (_e1118 < _e91);
+                                                        if _e1119 {
+                                                            if _e1119 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1121 = global_5.member[_e1118];
+                                                            phi_1542_ = _e1121;
+                                                        } else {
+                                                            phi_1542_ = 0u;
+                                                        }
+                                                        let _e1123 = phi_1542_;
+                                                        let _e1127 = (_e1116 + _e258);
+                                                        let _e1128 = (_e1127 < _e91);
+                                                        if _e1128 {
+                                                            if _e1128 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1130 = global_5.member[_e1127];
+                                                            phi_1560_ = _e1130;
+                                                        } else {
+                                                            phi_1560_ = 0u;
+                                                        }
+                                                        let _e1132 = phi_1560_;
+                                                        let _e1136 = (_e1116 + _e260);
+                                                        let _e1137 = (_e1136 < _e91);
+                                                        if _e1137 {
+                                                            if _e1137 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1139 = global_5.member[_e1136];
+                                                            phi_1578_ = _e1139;
+                                                        } else {
+                                                            phi_1578_ = 0u;
+                                                        }
+                                                        let _e1141 = phi_1578_;
+                                                        let _e1146 = (_e1116 + 3u);
+                                                        let _e1147 = (_e1146 + _e259);
+                                                        let _e1148 = (_e1147 < _e91);
+                                                        if _e1148 {
+                                                            if _e1148 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1150 = global_5.member[_e1147];
+                                                            phi_1598_ = _e1150;
+                                                        } else {
+                                                            phi_1598_ = 0u;
+                                                        }
+                                                        let _e1152 = phi_1598_;
+                                                        let _e1156 = (_e1146 + _e258);
+                                                        let _e1157 = (_e1156 < _e91);
+                                                        if _e1157 {
+                                                            if _e1157 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1159 = global_5.member[_e1156];
+                                                            phi_1616_ = _e1159;
+                                                        } else {
+                                                            phi_1616_ = 0u;
+                                                        }
+                                                        let _e1161 = phi_1616_;
+                                                        let _e1165 = (_e1146 + _e260);
+                                                        let _e1166 = (_e1165 < _e91);
+                                                        if _e1166 {
+                                                            if _e1166 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1168 = global_5.member[_e1165];
+                                                            phi_1634_ = _e1168;
+                                                        } else {
+                                                            phi_1634_ = 0u;
+                                                        }
+                                                        let _e1170 = phi_1634_;
+                                                        let _e1175 = (_e1116 + 6u);
+                                                        let _e1176 = (_e1175 + _e259);
+                                                        let _e1177 = (_e1176 < _e91);
+                                                        if _e1177 {
+                                                            if _e1177 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1179 = global_5.member[_e1176];
+                                                            phi_1654_ = _e1179;
+                                                        } else {
+                                                            phi_1654_ = 0u;
+                                                        }
+                                                        let _e1181 = phi_1654_;
+                                                        let _e1185 = (_e1175 + _e258);
+                                                        let _e1186 = (_e1185 < _e91);
+                                                        if _e1186 {
+                                                            if _e1186 {
+                                                            } else {
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1188 = global_5.member[_e1185];
+                                                            phi_1672_ = _e1188;
+                                                        } else {
+                                                            phi_1672_ = 0u;
+                                                        }
+                                                        let _e1190 = phi_1672_;
+                                                        let _e1194 = (_e1175 + _e260);
+                                                        let _e1195 = (_e1194 < _e91);
+                                                        if _e1195 {
                                                             if _e1195 {
-                                                                let _e1196 = (_e1191.member_1 < 3u);
-                                                                if _e1196 {
-                                                                } else {
-                                                                    phi_3426_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1198 = local_10[_e1191.member_1];
-                                                                if (_e1191.member_1 < 4u) {
-                                                                } else {
-                                                                    phi_3426_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1201 = local_12[_e1191.member_1];
-                                                                switch bitcast<i32>(_e1116) {
-                                                                    case 0: {
-                                                                        phi_1319_ = (_e1201 + (f32(((_e1168 >> bitcast<u32>(((10u * _e1198) & 31u))) & 1023u)) * _e143));
-                                                                        break;
-                                                                    }
-                                                                    case 1: {
-                                                                        if (_e1198 == 0u) {
-                                                                            phi_1296_ = _e1168;
-                                                                        } else {
-                                                                            if (_e1198 == 1u) {
-                                                                                phi_1295_ = ((_e1168 >> bitcast<u32>(21i)) | (_e1174 << bitcast<u32>(11i)));
-                                                                            } else {
-                                                                                phi_1295_ = (_e1174 >> bitcast<u32>(10i));
-                                                                            }
-                                                                            let _e1222 = phi_1295_;
-                                                                            phi_1296_ = _e1222;
-                                                                        }
-                                                                        let _e1224 = phi_1296_;
-                                                                        phi_1319_ = (_e1201 + (f32((_e1224 & 2097151u)) * _e143));
-                                                                        break;
-                                                                    }
-                                                                    case 2: {
-                                                                        let _e1203 = (_e1163 + _e1198);
-                                                                        let _e1204 = (_e1203 < _e95);
-                                                                        if _e1204 {
-                                                                            if _e1204 {
-                                                                            } else {
-                                                                                phi_3426_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1206 = global_5.member[_e1203];
-                                                                            phi_1315_ = _e1206;
-                                                                        } else {
-                                                                            phi_1315_ = 0u;
-                                                                        }
-                                                                        let _e1208 = phi_1315_;
-                                                                        phi_1319_ = (f32(bitcast<i32>(_e1208)) * _e143);
-                                                                        break;
-                                                                    }
-                                                                    default: {
-                                                                        phi_1319_ = f32();
-                                                                        break;
-                                                                    }
-                                                                }
-                                                                let _e1238 = phi_1319_;
-                                                                if (_e1157.member_1 < 3u) {
-                                                                } else {
-                                                                    phi_3426_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e1196 {
-                                                                } else {
-                                                                    phi_3426_ = true;
-                                                                    break;
-                                                                }
-                                                                local_11[_e1157.member_1][_e1191.member_1] = _e1238;
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1225_ = _e1189;
-                                                                phi_3426_ = _e1140;
-                                                                break if !(_e1195);
-                                                            }
-                                                        }
-                                                        let _e1244 = phi_3426_;
-                                                        phi_3504_ = _e1244;
-                                                        if _e1244 {
-                                                            break;
-                                                        }
-                                                        phi_3505_ = _e1244;
-                                                    } else {
-                                                        phi_3505_ = _e1140;
-                                                    }
-                                                    let _e1246 = phi_3505_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_3433_ = _e1246;
-                                                        phi_1160_ = _e1155;
-                                                        phi_3504_ = _e1246;
-                                                        break if !(_e1161);
-                                                    }
-                                                }
-                                                let _e1249 = phi_3504_;
-                                                phi_3506_ = _e1249;
-                                                if _e1249 {
-                                                    break;
-                                                }
-                                                let _e1250 = local_11;
-                                                let _e1267 = (_e1250[0][2] - _e389);
-                                                let _e1270 = (((_e1250[0][0] - _e312) * _e413) - (_e1267 * _e337));
-                                                let _e1273 = (((_e1250[0][1] - _e351) * _e413) - (_e1267 * _e375));
-                                                let _e1276 = (_e1250[1][2] - _e389);
-                                                let _e1279 = (((_e1250[1][0] - _e312) * _e413) - (_e1276 * _e337));
-                                                let _e1282 = (((_e1250[1][1] - _e351) * _e413) - (_e1276 * _e375));
-                                                let _e1285 = (_e1250[2][2] - _e389);
-                                                let _e1288 = (((_e1250[2][0] - _e312) * _e413) - (_e1285 * _e337));
-                                                let _e1291 = (((_e1250[2][1] - _e351) * _e413) - (_e1285 * _e375));
-                                                let _e1292 = (_e1288 * _e1282);
-                                                let _e1293 = (_e1291 * _e1279);
-                                                let _e1294 = (_e1270 * _e1291);
-                                                let _e1295 = (_e1273 * _e1288);
-                                                let _e1296 = (_e1279 * _e1273);
-                                                let _e1297 = (_e1282 * _e1270);
-                                                let _e1302 = (((_e1292 >= _e1293) && (_e1294 >= _e1295)) && (_e1296 >= _e1297));
-                                                if (_e1302 || (((_e1292 <= _e1293) && (_e1294 <= _e1295)) && (_e1296 <= _e1297))) {
-                                                    let _e1309 = select(-1f, 1f, _e1302);
-                                                    let _e1311 = ((_e1292 - _e1293) * _e1309);
-                                                    let _e1313 = select(0f, _e1311, (_e1311 > 0f));
-                                                    let _e1315 = ((_e1294 - _e1295) * _e1309);
-                                                    let _e1317 = select(0f, _e1315, (_e1315 > 0f));
-                                                    let _e1319 = ((_e1296 - _e1297) * _e1309);
-                                                    let _e1321 = select(0f, _e1319, (_e1319 > 0f));
-                                                    let _e1323 = ((_e1313 + _e1317) + _e1321);
-                                                    if (_e1323 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1914_ = type_24();
-                                                        phi_1915_ = true;
-                                                    } else {
-                                                        let _e1326 = select(_e1250[1][0], _e1250[0][0], (_e1250[0][0] < _e1250[1][0]));
-                                                        let _e1330 = select(_e1250[1][0], _e1250[0][0], (_e1250[0][0] > _e1250[1][0]));
-                                                        let _e1334 = select(_e1250[1][1], _e1250[0][1], (_e1250[0][1] < _e1250[1][1]));
-                                                        let _e1338 = select(_e1250[1][1], _e1250[0][1], (_e1250[0][1] > _e1250[1][1]));
-                                                        let _e1342 = select(_e1250[1][2], _e1250[0][2], (_e1250[0][2] < _e1250[1][2]));
-                                                        let _e1346 = select(_e1250[1][2], _e1250[0][2], (_e1250[0][2] > _e1250[1][2]));
-                                                        let _e1351 = ((select(_e1250[2][0], _e1326, (_e1326 < _e1250[2][0])) - _e335) * _e340);
-                                                        let _e1352 = ((select(_e1250[2][0], _e1330, (_e1330 > _e1250[2][0])) - _e336) * _e340);
-                                                        let _e1355 = ((select(_e1250[2][1], _e1334, (_e1334 < _e1250[2][1])) - _e373) * _e378);
-                                                        let _e1356 = ((select(_e1250[2][1], _e1338, (_e1338 > _e1250[2][1])) - _e374) * _e378);
-                                                        let _e1359 = ((select(_e1250[2][2], _e1342, (_e1342 < _e1250[2][2])) - _e411) * _e416);
-                                                        let _e1360 = ((select(_e1250[2][2], _e1346, (_e1346 > _e1250[2][2])) - _e412) * _e416);
-                                                        let _e1362 = select(_e1360, _e1359, (_e1359 < _e1360));
-                                                        let _e1364 = select(_e1360, _e1359, (_e1359 > _e1360));
-                                                        let _e1366 = select(_e1352, _e1351, (_e1351 < _e1352));
-                                                        let _e1368 = select(_e1356, _e1355, (_e1355 < _e1356));
-                                                        let _e1370 = select(_e1368, _e1366, (_e1366 > _e1368));
-                                                        let _e1372 = select(_e1362, _e1370, (_e1370 > _e1362));
-                                                        let _e1374 = select(_e1352, _e1351, (_e1351 > _e1352));
-                                                        let _e1376 = select(_e1356, _e1355, (_e1355 > _e1356));
-                                                        let _e1378 = select(_e1376, _e1374, (_e1374 < _e1376));
-                                                        let _e1380 = select(_e1364, _e1378, (_e1378 < _e1364));
-                                                        let _e1381 = -(_e1362);
-                                                        let _e1387 = select(_e463, _e1372, (_e1372 > _e463));
-                                                        if (_e1387 > (_e1380 + (select(_e1381, _e1364, (_e1364 > _e1381)) * 0.0000019073523f))) {
-                                                            phi_1909_ = type_24();
-                                                            phi_1910_ = true;
-                                                        } else {
-                                                            let _e1389 = (_e1387 > _e1044.member.member_1);
-                                                            if _e1389 {
-                                                                phi_1908_ = type_24();
                                                             } else {
-                                                                let _e1393 = (_e1250[1][0] - _e1250[0][0]);
-                                                                let _e1394 = (_e1250[1][1] - _e1250[0][1]);
-                                                                let _e1395 = (_e1250[1][2] - _e1250[0][2]);
-                                                                let _e1396 = vec3<f32>(_e1393, _e1394, _e1395);
-                                                                let _e1397 = (_e1250[2][0] - _e1250[1][0]);
-                                                                let _e1398 = (_e1250[2][1] - _e1250[1][1]);
-                                                                let _e1399 = (_e1250[2][2] - _e1250[1][2]);
-                                                                let _e1400 = vec3<f32>(_e1397, _e1398, _e1399);
-                                                                let _e1401 = (_e1250[0][0] - _e1250[2][0]);
-                                                                let _e1402 = (_e1250[0][1] - _e1250[2][1]);
-                                                                let _e1403 = (_e1250[0][2] - _e1250[2][2]);
-                                                                let _e1404 = vec3<f32>(_e1401, _e1402, _e1403);
-                                                                let _e1407 = bitcast<f32>((bitcast<u32>(_e1393) & 2147483647u));
-                                                                let _e1410 = bitcast<f32>((bitcast<u32>(_e1394) & 2147483647u));
-                                                                let _e1412 = select(_e1410, _e1407, (_e1407 > _e1410));
-                                                                let _e1415 = bitcast<f32>((bitcast<u32>(_e1395) & 2147483647u));
-                                                                let _e1417 = select(_e1415, _e1412, (_e1412 > _e1415));
-                                                                let _e1420 = bitcast<f32>((bitcast<u32>(_e1397) & 2147483647u));
-                                                                let _e1423 = bitcast<f32>((bitcast<u32>(_e1398) & 2147483647u));
-                                                                let _e1425 = select(_e1423, _e1420, (_e1420 > _e1423));
-                                                                let _e1428 = bitcast<f32>((bitcast<u32>(_e1399) & 2147483647u));
-                                                                let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
-                                                                let _e1433 = bitcast<f32>((bitcast<u32>(_e1401) & 2147483647u));
-                                                                let _e1436 = bitcast<f32>((bitcast<u32>(_e1402) & 2147483647u));
-                                                                let _e1438 = select(_e1436, _e1433, (_e1433 > _e1436));
-                                                                let _e1441 = bitcast<f32>((bitcast<u32>(_e1403) & 2147483647u));
-                                                                let _e1443 = select(_e1441, _e1438, (_e1438 > _e1441));
-                                                                let _e1445 = select(_e1430, _e1417, (_e1417 > _e1430));
-                                                                let _e1447 = select(_e1443, _e1445, (_e1445 > _e1443));
-                                                                if (_e1417 == _e1447) {
-                                                                    phi_1819_ = _e1400;
-                                                                    phi_1820_ = _e1404;
+                                                                phi_3770_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1197 = global_5.member[_e1194];
+                                                            phi_1690_ = _e1197;
+                                                        } else {
+                                                            phi_1690_ = 0u;
+                                                        }
+                                                        let _e1199 = phi_1690_;
+                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1123)) * _e139), (f32(bitcast<i32>(_e1132)) * _e139), (f32(bitcast<i32>(_e1141)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1152)) * _e139), (f32(bitcast<i32>(_e1161)) * _e139), (f32(bitcast<i32>(_e1170)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1181)) * _e139), (f32(bitcast<i32>(_e1190)) * _e139), (f32(bitcast<i32>(_e1199)) * _e139)));
+                                                        break;
+                                                    }
+                                                    default: {
+                                                        phi_1696_ = array<array<f32, 3>, 3>();
+                                                        break;
+                                                    }
+                                                }
+                                                let _e1473 = phi_1696_;
+                                                let _e1482 = (_e1473[0][2] - _e385);
+                                                let _e1485 = (((_e1473[0][0] - _e308) * _e409) - (_e1482 * _e333));
+                                                let _e1488 = (((_e1473[0][1] - _e347) * _e409) - (_e1482 * _e371));
+                                                let _e1495 = (_e1473[1][2] - _e385);
+                                                let _e1498 = (((_e1473[1][0] - _e308) * _e409) - (_e1495 * _e333));
+                                                let _e1501 = (((_e1473[1][1] - _e347) * _e409) - (_e1495 * _e371));
+                                                let _e1508 = (_e1473[2][2] - _e385);
+                                                let _e1511 = (((_e1473[2][0] - _e308) * _e409) - (_e1508 * _e333));
+                                                let _e1514 = (((_e1473[2][1] - _e347) * _e409) - (_e1508 * _e371));
+                                                let _e1515 = (_e1511 * _e1501);
+                                                let _e1516 = (_e1514 * _e1498);
+                                                let _e1517 = (_e1485 * _e1514);
+                                                let _e1518 = (_e1488 * _e1511);
+                                                let _e1519 = (_e1498 * _e1488);
+                                                let _e1520 = (_e1501 * _e1485);
+                                                let _e1525 = (((_e1515 >= _e1516) && (_e1517 >= _e1518)) && (_e1519 >= _e1520));
+                                                if (_e1525 || (((_e1515 <= _e1516) && (_e1517 <= _e1518)) && (_e1519 <= _e1520))) {
+                                                    let _e1532 = select(-1f, 1f, _e1525);
+                                                    let _e1534 = ((_e1515 - _e1516) * _e1532);
+                                                    let _e1536 = select(0f, _e1534, (_e1534 > 0f));
+                                                    let _e1538 = ((_e1517 - _e1518) * _e1532);
+                                                    let _e1540 = select(0f, _e1538, (_e1538 > 0f));
+                                                    let _e1542 = ((_e1519 - _e1520) * _e1532);
+                                                    let _e1544 = select(0f, _e1542, (_e1542 > 0f));
+                                                    let _e1546 = ((_e1536 + _e1540) + _e1544);
+                                                    if (_e1546 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2262_ = type_24();
+                                                        phi_2263_ = true;
+                                                    } else {
+                                                        let _e1549 = select(_e1473[1][0], _e1473[0][0], (_e1473[0][0] < _e1473[1][0]));
+                                                        let _e1553 = select(_e1473[1][0], _e1473[0][0], (_e1473[0][0] > _e1473[1][0]));
+                                                        let _e1557 = select(_e1473[1][1], _e1473[0][1], (_e1473[0][1] < _e1473[1][1]));
+                                                        let _e1561 = select(_e1473[1][1], _e1473[0][1], (_e1473[0][1] > _e1473[1][1]));
+                                                        let _e1565 = select(_e1473[1][2], _e1473[0][2], (_e1473[0][2] < _e1473[1][2]));
+                                                        let _e1569 = select(_e1473[1][2], _e1473[0][2], (_e1473[0][2] > _e1473[1][2]));
+                                                        let _e1574 = ((select(_e1473[2][0], _e1549, (_e1549 < _e1473[2][0])) - _e331) * _e336);
+                                                        let _e1575 = ((select(_e1473[2][0], _e1553, (_e1553 > _e1473[2][0])) - _e332) * _e336);
+                                                        let _e1578 = ((select(_e1473[2][1], _e1557, (_e1557 < _e1473[2][1])) - _e369) * _e374);
+                                                        let _e1579 = ((select(_e1473[2][1], _e1561, (_e1561 > _e1473[2][1])) - _e370) * _e374);
+                                                        let _e1582 = ((select(_e1473[2][2], _e1565, (_e1565 < _e1473[2][2])) - _e407) * _e412);
+                                                        let _e1583 = ((select(_e1473[2][2], _e1569, (_e1569 > _e1473[2][2])) - _e408) * _e412);
+                                                        let _e1585 = select(_e1583, _e1582, (_e1582 < _e1583));
+                                                        let _e1587 = select(_e1583, _e1582, (_e1582 > _e1583));
+                                                        let _e1589 = select(_e1575, _e1574, (_e1574 < _e1575));
+                                                        let _e1591 = select(_e1579, _e1578, (_e1578 < _e1579));
+                                                        let _e1593 = select(_e1591, _e1589, (_e1589 > _e1591));
+                                                        let _e1595 = select(_e1585, _e1593, (_e1593 > _e1585));
+                                                        let _e1597 = select(_e1575, _e1574, (_e1574 > _e1575));
+                                                        let _e1599 = select(_e1579, _e1578, (_e1578 > _e1579));
+                                                        let _e1601 = select(_e1599, _e1597, (_e1597 < _e1599));
+                                                        let _e1603 = select(_e1587, _e1601, (_e1601 < _e1587));
+                                                        let _e1604 = -(_e1585);
+                                                        let _e1610 = select(_e459, _e1595, (_e1595 > _e459));
+                                                        if (_e1610 > (_e1603 + (select(_e1604, _e1587, (_e1587 > _e1604)) * 0.0000019073523f))) {
+                                                            phi_2257_ = type_24();
+                                                            phi_2258_ = true;
+                                                        } else {
+                                                            let _e1612 = (_e1610 > _e1038.member.member_1);
+                                                            if _e1612 {
+                                                                phi_2256_ = type_24();
+                                                            } else {
+                                                                let _e1616 = (_e1473[1][0] - _e1473[0][0]);
+                                                                let _e1617 = (_e1473[1][1] - _e1473[0][1]);
+                                                                let _e1618 = (_e1473[1][2] - _e1473[0][2]);
+                                                                let _e1619 = vec3<f32>(_e1616, _e1617, _e1618);
+                                                                let _e1620 = (_e1473[2][0] - _e1473[1][0]);
+                                                                let _e1621 = (_e1473[2][1] - _e1473[1][1]);
+                                                                let _e1622 = (_e1473[2][2] - _e1473[1][2]);
+                                                                let _e1623 = vec3<f32>(_e1620, _e1621, _e1622);
+                                                                let _e1624 = (_e1473[0][0] - _e1473[2][0]);
+                                                                let _e1625 = (_e1473[0][1] - _e1473[2][1]);
+                                                                let _e1626 = (_e1473[0][2] - _e1473[2][2]);
+                                                                let _e1627 = vec3<f32>(_e1624, _e1625, _e1626);
+                                                                let _e1630 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
+                                                                let _e1633 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
+                                                                let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
+                                                                let _e1638 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
+                                                                let _e1640 = select(_e1638, _e1635, (_e1635 > _e1638));
+                                                                let _e1643 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
+                                                                let _e1646 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
+                                                                let _e1648 = select(_e1646, _e1643, (_e1643 > _e1646));
+                                                                let _e1651 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
+                                                                let _e1653 = select(_e1651, _e1648, (_e1648 > _e1651));
+                                                                let _e1656 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
+                                                                let _e1659 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
+                                                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
+                                                                let _e1664 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
+                                                                let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
+                                                                let _e1668 = select(_e1653, _e1640, (_e1640 > _e1653));
+                                                                let _e1670 = select(_e1666, _e1668, (_e1668 > _e1666));
+                                                                if (_e1640 == _e1670) {
+                                                                    phi_2167_ = _e1623;
+                                                                    phi_2168_ = _e1627;
                                                                 } else {
-                                                                    let _e1450 = vec3((_e1430 == _e1447));
-                                                                    phi_1819_ = select(_e1396, _e1404, _e1450);
-                                                                    phi_1820_ = select(_e1400, _e1396, _e1450);
+                                                                    let _e1673 = vec3((_e1653 == _e1670));
+                                                                    phi_2167_ = select(_e1619, _e1627, _e1673);
+                                                                    phi_2168_ = select(_e1623, _e1619, _e1673);
                                                                 }
-                                                                let _e1454 = phi_1819_;
-                                                                let _e1456 = phi_1820_;
-                                                                let _e1463 = ((_e1454.y * _e1456.z) - (_e1456.y * _e1454.z));
-                                                                let _e1468 = ((_e1454.z * _e1456.x) - (_e1456.z * _e1454.x));
-                                                                let _e1471 = ((_e1454.x * _e1456.y) - (_e1456.x * _e1454.y));
-                                                                if (_e1313 >= _e1317) {
-                                                                    phi_1851_ = select(true, false, (_e1313 >= _e1321));
+                                                                let _e1677 = phi_2167_;
+                                                                let _e1679 = phi_2168_;
+                                                                let _e1686 = ((_e1677.y * _e1679.z) - (_e1679.y * _e1677.z));
+                                                                let _e1691 = ((_e1677.z * _e1679.x) - (_e1679.z * _e1677.x));
+                                                                let _e1694 = ((_e1677.x * _e1679.y) - (_e1679.x * _e1677.y));
+                                                                if (_e1536 >= _e1540) {
+                                                                    phi_2199_ = select(true, false, (_e1536 >= _e1544));
                                                                 } else {
-                                                                    phi_1851_ = true;
+                                                                    phi_2199_ = true;
                                                                 }
-                                                                let _e1476 = phi_1851_;
-                                                                if _e1476 {
-                                                                    phi_1860_ = select(vec3<f32>(_e1250[2][0], _e1250[2][1], _e1250[2][2]), vec3<f32>(_e1250[1][0], _e1250[1][1], _e1250[1][2]), vec3((_e1317 >= _e1321)));
+                                                                let _e1699 = phi_2199_;
+                                                                if _e1699 {
+                                                                    phi_2208_ = select(vec3<f32>(_e1473[2][0], _e1473[2][1], _e1473[2][2]), vec3<f32>(_e1473[1][0], _e1473[1][1], _e1473[1][2]), vec3((_e1540 >= _e1544)));
                                                                 } else {
-                                                                    phi_1860_ = vec3<f32>(_e1250[0][0], _e1250[0][1], _e1250[0][2]);
+                                                                    phi_2208_ = vec3<f32>(_e1473[0][0], _e1473[0][1], _e1473[0][2]);
                                                                 }
-                                                                let _e1481 = phi_1860_;
-                                                                let _e1498 = ((((_e1463 * (_e1481.x - _e312)) + (_e1468 * (_e1481.y - _e351))) + (_e1471 * (_e1481.z - _e389))) / (((_e1463 * _e337) + (_e1468 * _e375)) + (_e1471 * _e413)));
-                                                                let _e1500 = select(_e1380, _e1498, (_e1498 < _e1380));
-                                                                let _e1502 = select(_e1372, _e1500, (_e1500 > _e1372));
-                                                                if (_e1502 >= _e463) {
-                                                                    let _e1504 = (_e1502 <= _e1044.member.member_1);
-                                                                    if _e1504 {
-                                                                        let _e1505 = (1f / _e1323);
-                                                                        phi_1900_ = type_24(_e1502, (_e1317 * _e1505), (_e1321 * _e1505), _e1110);
+                                                                let _e1704 = phi_2208_;
+                                                                let _e1721 = ((((_e1686 * (_e1704.x - _e308)) + (_e1691 * (_e1704.y - _e347))) + (_e1694 * (_e1704.z - _e385))) / (((_e1686 * _e333) + (_e1691 * _e371)) + (_e1694 * _e409)));
+                                                                let _e1723 = select(_e1603, _e1721, (_e1721 < _e1603));
+                                                                let _e1725 = select(_e1595, _e1723, (_e1723 > _e1595));
+                                                                if (_e1725 >= _e459) {
+                                                                    let _e1727 = (_e1725 <= _e1038.member.member_1);
+                                                                    if _e1727 {
+                                                                        let _e1728 = (1f / _e1546);
+                                                                        phi_2248_ = type_24(_e1725, (_e1540 * _e1728), (_e1544 * _e1728), _e1104);
                                                                     } else {
-                                                                        phi_1900_ = type_24();
+                                                                        phi_2248_ = type_24();
                                                                     }
-                                                                    let _e1510 = phi_1900_;
-                                                                    phi_1902_ = _e1510;
-                                                                    phi_1903_ = select(true, false, _e1504);
+                                                                    let _e1733 = phi_2248_;
+                                                                    phi_2250_ = _e1733;
+                                                                    phi_2251_ = select(true, false, _e1727);
                                                                 } else {
-                                                                    phi_1902_ = type_24();
-                                                                    phi_1903_ = true;
+                                                                    phi_2250_ = type_24();
+                                                                    phi_2251_ = true;
                                                                 }
-                                                                let _e1513 = phi_1902_;
-                                                                let _e1515 = phi_1903_;
-                                                                if _e1515 {
-                                                                    phi_1907_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1736 = phi_2250_;
+                                                                let _e1738 = phi_2251_;
+                                                                if _e1738 {
+                                                                    phi_2255_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1907_ = _e1513;
+                                                                    phi_2255_ = _e1736;
                                                                 }
-                                                                let _e1517 = phi_1907_;
-                                                                phi_1908_ = _e1517;
+                                                                let _e1740 = phi_2255_;
+                                                                phi_2256_ = _e1740;
                                                             }
-                                                            let _e1519 = phi_1908_;
-                                                            phi_1909_ = _e1519;
-                                                            phi_1910_ = _e1389;
+                                                            let _e1742 = phi_2256_;
+                                                            phi_2257_ = _e1742;
+                                                            phi_2258_ = _e1612;
                                                         }
-                                                        let _e1521 = phi_1909_;
-                                                        let _e1523 = phi_1910_;
-                                                        phi_1914_ = _e1521;
-                                                        phi_1915_ = _e1523;
+                                                        let _e1744 = phi_2257_;
+                                                        let _e1746 = phi_2258_;
+                                                        phi_2262_ = _e1744;
+                                                        phi_2263_ = _e1746;
                                                     }
-                                                    let _e1525 = phi_1914_;
-                                                    let _e1527 = phi_1915_;
-                                                    phi_1919_ = _e1525;
-                                                    phi_1920_ = _e1527;
+                                                    let _e1748 = phi_2262_;
+                                                    let _e1750 = phi_2263_;
+                                                    phi_2267_ = _e1748;
+                                                    phi_2268_ = _e1750;
                                                 } else {
-                                                    phi_1919_ = type_24();
-                                                    phi_1920_ = true;
+                                                    phi_2267_ = type_24();
+                                                    phi_2268_ = true;
                                                 }
-                                                let _e1529 = phi_1919_;
-                                                let _e1531 = phi_1920_;
-                                                if _e1531 {
-                                                    phi_1924_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1752 = phi_2267_;
+                                                let _e1754 = phi_2268_;
+                                                if _e1754 {
+                                                    phi_2272_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1924_ = _e1529;
+                                                    phi_2272_ = _e1752;
                                                 }
-                                                let _e1533 = phi_1924_;
-                                                if (_e1533.member_3 != 4294967295u) {
-                                                    if (_e1110 != 4294967295u) {
-                                                        if (_e1533.member < _e1044.member.member.member) {
-                                                            phi_1950_ = true;
+                                                let _e1756 = phi_2272_;
+                                                if (_e1756.member_3 != 4294967295u) {
+                                                    if (_e1104 != 4294967295u) {
+                                                        if (_e1756.member < _e1038.member.member.member) {
+                                                            phi_2298_ = true;
                                                         } else {
-                                                            if (_e1533.member == _e1044.member.member.member) {
-                                                                phi_1949_ = (_e1533.member_3 < _e1044.member.member.member_3);
+                                                            if (_e1756.member == _e1038.member.member.member) {
+                                                                phi_2297_ = (_e1756.member_3 < _e1038.member.member.member_3);
                                                             } else {
-                                                                phi_1949_ = false;
+                                                                phi_2297_ = false;
                                                             }
-                                                            let _e1548 = phi_1949_;
-                                                            phi_1950_ = _e1548;
+                                                            let _e1771 = phi_2297_;
+                                                            phi_2298_ = _e1771;
                                                         }
-                                                        let _e1550 = phi_1950_;
-                                                        if _e1550 {
-                                                            phi_1957_ = type_39(type_33(_e1533, _e1533.member), _e1071.member_1, _e1071.member_2);
+                                                        let _e1773 = phi_2298_;
+                                                        if _e1773 {
+                                                            phi_2305_ = type_39(type_32(_e1756, _e1756.member), _e1065.member_1, _e1065.member_2);
                                                         } else {
-                                                            phi_1957_ = _e1071;
+                                                            phi_2305_ = _e1065;
                                                         }
-                                                        let _e1557 = phi_1957_;
-                                                        phi_1958_ = _e1557;
+                                                        let _e1780 = phi_2305_;
+                                                        phi_2306_ = _e1780;
                                                     } else {
-                                                        phi_1958_ = _e1071;
+                                                        phi_2306_ = _e1065;
                                                     }
-                                                    let _e1559 = phi_1958_;
-                                                    phi_1959_ = _e1559;
+                                                    let _e1782 = phi_2306_;
+                                                    phi_2307_ = _e1782;
                                                 } else {
-                                                    phi_1959_ = _e1071;
+                                                    phi_2307_ = _e1065;
                                                 }
-                                                let _e1561 = phi_1959_;
-                                                phi_3507_ = _e1249;
-                                                phi_990_ = _e1561;
+                                                let _e1784 = phi_2307_;
+                                                phi_975_ = _e1784;
                                             } else {
-                                                phi_3507_ = _e1042;
-                                                phi_990_ = type_39();
+                                                phi_975_ = type_39();
                                             }
-                                            let _e1563 = phi_3507_;
-                                            let _e1565 = phi_990_;
+                                            let _e1786 = phi_975_;
                                             continue;
                                             continuing {
-                                                phi_3448_ = _e1563;
-                                                phi_989_ = _e1565;
-                                                phi_992_ = _e1059;
-                                                phi_3506_ = _e1563;
-                                                break if !(_e1065);
+                                                phi_974_ = _e1786;
+                                                phi_977_ = _e1053;
+                                                phi_3770_ = _e502;
+                                                break if !(_e1059);
                                             }
                                         }
-                                        let _e1568 = phi_3506_;
-                                        phi_3565_ = _e1568;
-                                        if _e1568 {
+                                        let _e1789 = phi_3770_;
+                                        phi_3931_ = _e1789;
+                                        if _e1789 {
                                             break;
                                         }
-                                        phi_3569_ = _e1568;
-                                        let _e1746 = local_15;
-                                        phi_3202_ = _e1746;
-                                        phi_3203_ = _e548;
-                                        phi_3204_ = false;
-                                        phi_3205_ = _e552;
+                                        phi_3935_ = _e1789;
+                                        let _e1976 = local_12;
+                                        phi_3550_ = _e1976;
+                                        phi_3551_ = _e544;
+                                        phi_3552_ = false;
+                                        phi_3553_ = _e548;
                                     } else {
-                                        if (_e548.member_1 >= _e92) {
-                                            phi_2758_ = type_55(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_54(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_54(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e544.member_1 >= _e88) {
+                                            phi_3106_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e548.member_1 < _e92) {
+                                            if (_e544.member_1 < _e88) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e570 = (_e263 * 2u);
-                                            let _e572 = ((1u + _e570) % 7u);
-                                            if (_e572 < 7u) {
+                                            let _e566 = (_e259 * 2u);
+                                            let _e568 = ((1u + _e566) % 7u);
+                                            if (_e568 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e577 = global_4.member[_e548.member_1][_e572];
-                                            let _e579 = ((_e570 + 2u) % 7u);
-                                            if (_e579 < 7u) {
+                                            let _e573 = global_4.member[_e544.member_1][_e568];
+                                            let _e575 = ((_e566 + 2u) % 7u);
+                                            if (_e575 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e584 = global_4.member[_e548.member_1][_e579];
-                                            let _e585 = (_e262 * 2u);
-                                            let _e587 = ((1u + _e585) % 7u);
-                                            if (_e587 < 7u) {
+                                            let _e580 = global_4.member[_e544.member_1][_e575];
+                                            let _e581 = (_e258 * 2u);
+                                            let _e583 = ((1u + _e581) % 7u);
+                                            if (_e583 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e592 = global_4.member[_e548.member_1][_e587];
-                                            let _e594 = ((_e585 + 2u) % 7u);
-                                            if (_e594 < 7u) {
+                                            let _e588 = global_4.member[_e544.member_1][_e583];
+                                            let _e590 = ((_e581 + 2u) % 7u);
+                                            if (_e590 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e599 = global_4.member[_e548.member_1][_e594];
-                                            let _e600 = (_e264 * 2u);
-                                            let _e602 = ((1u + _e600) % 7u);
-                                            if (_e602 < 7u) {
+                                            let _e595 = global_4.member[_e544.member_1][_e590];
+                                            let _e596 = (_e260 * 2u);
+                                            let _e598 = ((1u + _e596) % 7u);
+                                            if (_e598 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e607 = global_4.member[_e548.member_1][_e602];
-                                            let _e609 = ((_e600 + 2u) % 7u);
-                                            if (_e609 < 7u) {
+                                            let _e603 = global_4.member[_e544.member_1][_e598];
+                                            let _e605 = ((_e596 + 2u) % 7u);
+                                            if (_e605 < 7u) {
                                             } else {
-                                                phi_3565_ = true;
+                                                phi_3931_ = true;
                                                 break;
                                             }
-                                            let _e614 = global_4.member[_e548.member_1][_e609];
-                                            let _e637 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.x - _e548.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e638 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.y - _e548.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e639 = (bitcast<f32>((bitcast<u32>((_e548.member.member_1.z - _e548.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e641 = select(_e143, _e637, (_e637 > _e143));
-                                            let _e643 = select(_e143, _e638, (_e638 > _e143));
-                                            let _e645 = select(_e143, _e639, (_e639 > _e143));
-                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e577 & 2097151u))) * _e641));
-                                            let _e675 = (bitcast<i32>((_e577 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
-                                            let _e679 = bitcast<u32>((f32(bitcast<i32>((_e592 & 2097151u))) * _e643));
-                                            let _e684 = (bitcast<i32>((_e592 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e687 = bitcast<f32>((_e679 & bitcast<u32>(_e684)));
-                                            let _e688 = bitcast<u32>((f32(bitcast<i32>((_e607 & 2097151u))) * _e645));
-                                            let _e693 = (bitcast<i32>((_e607 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e696 = bitcast<f32>((_e688 & bitcast<u32>(_e693)));
-                                            let _e700 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
-                                            let _e704 = bitcast<f32>((_e679 & bitcast<u32>(~(_e684))));
-                                            let _e708 = bitcast<f32>((_e688 & bitcast<u32>(~(_e693))));
-                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e584 & 2097151u))) * _e641));
-                                            let _e714 = (bitcast<i32>((_e584 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
-                                            let _e718 = bitcast<u32>((f32(bitcast<i32>((_e599 & 2097151u))) * _e643));
-                                            let _e723 = (bitcast<i32>((_e599 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e726 = bitcast<f32>((_e718 & bitcast<u32>(_e723)));
-                                            let _e727 = bitcast<u32>((f32(bitcast<i32>((_e614 & 2097151u))) * _e645));
-                                            let _e732 = (bitcast<i32>((_e614 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e735 = bitcast<f32>((_e727 & bitcast<u32>(_e732)));
-                                            let _e739 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
-                                            let _e743 = bitcast<f32>((_e718 & bitcast<u32>(~(_e723))));
-                                            let _e747 = bitcast<f32>((_e727 & bitcast<u32>(~(_e732))));
-                                            let _e748 = (_e548.member.member.x + _e678);
-                                            let _e749 = (_e548.member.member.y + _e687);
-                                            let _e750 = (_e548.member.member.z + _e696);
-                                            let _e753 = (_e548.member.member_1.x - _e717);
-                                            let _e754 = (_e548.member.member_1.y - _e726);
-                                            let _e755 = (_e548.member.member_1.z - _e735);
-                                            let _e774 = (_e753 - _e748);
-                                            let _e775 = (_e754 - _e749);
-                                            let _e776 = (_e755 - _e750);
-                                            let _e778 = select(_e775, _e774, (_e774 > _e775));
-                                            let _e780 = select(_e776, _e778, (_e778 > _e776));
-                                            if (_e780 < (1024f * _e143)) {
-                                                phi_2459_ = 0u;
+                                            let _e610 = global_4.member[_e544.member_1][_e605];
+                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e637 = select(_e139, _e633, (_e633 > _e139));
+                                            let _e639 = select(_e139, _e634, (_e634 > _e139));
+                                            let _e641 = select(_e139, _e635, (_e635 > _e139));
+                                            let _e666 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e637));
+                                            let _e671 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e674 = bitcast<f32>((_e666 & bitcast<u32>(_e671)));
+                                            let _e675 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e639));
+                                            let _e680 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e683 = bitcast<f32>((_e675 & bitcast<u32>(_e680)));
+                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e641));
+                                            let _e689 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
+                                            let _e696 = bitcast<f32>((_e666 & bitcast<u32>(~(_e671))));
+                                            let _e700 = bitcast<f32>((_e675 & bitcast<u32>(~(_e680))));
+                                            let _e704 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
+                                            let _e705 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e637));
+                                            let _e710 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e713 = bitcast<f32>((_e705 & bitcast<u32>(_e710)));
+                                            let _e714 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e639));
+                                            let _e719 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e722 = bitcast<f32>((_e714 & bitcast<u32>(_e719)));
+                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e610 & 2097151u))) * _e641));
+                                            let _e728 = (bitcast<i32>((_e610 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
+                                            let _e735 = bitcast<f32>((_e705 & bitcast<u32>(~(_e710))));
+                                            let _e739 = bitcast<f32>((_e714 & bitcast<u32>(~(_e719))));
+                                            let _e743 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
+                                            let _e744 = (_e544.member.member.x + _e674);
+                                            let _e745 = (_e544.member.member.y + _e683);
+                                            let _e746 = (_e544.member.member.z + _e692);
+                                            let _e749 = (_e544.member.member_1.x - _e713);
+                                            let _e750 = (_e544.member.member_1.y - _e722);
+                                            let _e751 = (_e544.member.member_1.z - _e731);
+                                            let _e770 = (_e749 - _e744);
+                                            let _e771 = (_e750 - _e745);
+                                            let _e772 = (_e751 - _e746);
+                                            let _e774 = select(_e771, _e770, (_e770 > _e771));
+                                            let _e776 = select(_e772, _e774, (_e774 > _e772));
+                                            if (_e776 < (1024f * _e139)) {
+                                                phi_2807_ = 0u;
                                             } else {
-                                                phi_2459_ = select(2u, 1u, (_e780 < (2097152f * _e143)));
+                                                phi_2807_ = select(2u, 1u, (_e776 < (2097152f * _e139)));
                                             }
-                                            let _e787 = phi_2459_;
-                                            switch bitcast<i32>(_e787) {
+                                            let _e783 = phi_2807_;
+                                            switch bitcast<i32>(_e783) {
                                                 case 0: {
-                                                    phi_2465_ = 1u;
+                                                    phi_2813_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2465_ = 2u;
+                                                    phi_2813_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2465_ = 3u;
+                                                    phi_2813_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2465_ = u32();
+                                                    phi_2813_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e790 = phi_2465_;
-                                            let _e796 = global_4.member[_e548.member_1][0u];
-                                            let _e800 = global_4.member[_e548.member_1][2u];
-                                            let _e804 = global_4.member[_e548.member_1][4u];
-                                            let _e808 = global_4.member[_e548.member_1][6u];
-                                            let _e820 = (((_e800 >> bitcast<u32>(22i)) | ((_e804 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e808 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e821 = (_e796 & 268435455u);
-                                            let _e822 = (_e820 & 268435455u);
-                                            let _e825 = ((_e796 >> bitcast<u32>(28u)) & 7u);
-                                            let _e833 = ((_e796 >> bitcast<u32>(31i)) | (((_e820 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e834 = (_e825 != 0u);
-                                            if (_e825 == 0u) {
-                                                phi_2720_ = _e821;
+                                            let _e786 = phi_2813_;
+                                            let _e792 = global_4.member[_e544.member_1][0u];
+                                            let _e796 = global_4.member[_e544.member_1][2u];
+                                            let _e800 = global_4.member[_e544.member_1][4u];
+                                            let _e804 = global_4.member[_e544.member_1][6u];
+                                            let _e816 = (((_e796 >> bitcast<u32>(22i)) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e804 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e817 = (_e792 & 268435455u);
+                                            let _e818 = (_e816 & 268435455u);
+                                            let _e821 = ((_e792 >> bitcast<u32>(28u)) & 7u);
+                                            let _e829 = ((_e792 >> bitcast<u32>(31i)) | (((_e816 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e830 = (_e821 != 0u);
+                                            if (_e821 == 0u) {
+                                                phi_3068_ = _e817;
                                             } else {
-                                                if (_e825 == 7u) {
-                                                    phi_2719_ = 2147483648u;
+                                                if (_e821 == 7u) {
+                                                    phi_3067_ = 2147483648u;
                                                 } else {
-                                                    phi_2719_ = ((2147483648u | (_e825 << bitcast<u32>(28u))) | (_e822 & 268435455u));
+                                                    phi_3067_ = ((2147483648u | (_e821 << bitcast<u32>(28u))) | (_e818 & 268435455u));
                                                 }
-                                                let _e843 = phi_2719_;
-                                                phi_2720_ = _e843;
+                                                let _e839 = phi_3067_;
+                                                phi_3068_ = _e839;
                                             }
-                                            let _e845 = phi_2720_;
-                                            if _e834 {
-                                                let _e846 = (_e825 != 7u);
-                                                if _e846 {
-                                                    phi_2730_ = (_e822 + (_e825 * ((3u * _e790) + 1u)));
+                                            let _e841 = phi_3068_;
+                                            if _e830 {
+                                                let _e842 = (_e821 != 7u);
+                                                if _e842 {
+                                                    phi_3078_ = (_e818 + (_e821 * ((3u * _e786) + 1u)));
                                                 } else {
-                                                    phi_2730_ = u32();
+                                                    phi_3078_ = u32();
                                                 }
-                                                let _e850 = phi_2730_;
-                                                phi_2732_ = _e850;
-                                                phi_2733_ = select(true, false, _e846);
+                                                let _e846 = phi_3078_;
+                                                phi_3080_ = _e846;
+                                                phi_3081_ = select(true, false, _e842);
                                             } else {
-                                                phi_2732_ = u32();
-                                                phi_2733_ = true;
+                                                phi_3080_ = u32();
+                                                phi_3081_ = true;
                                             }
-                                            let _e853 = phi_2732_;
-                                            let _e855 = phi_2733_;
-                                            if (_e833 == 0u) {
-                                                phi_2754_ = (_e821 + select(0u, 1u, !(_e834)));
+                                            let _e849 = phi_3080_;
+                                            let _e851 = phi_3081_;
+                                            if (_e829 == 0u) {
+                                                phi_3102_ = (_e817 + select(0u, 1u, !(_e830)));
                                             } else {
-                                                if (_e833 == 7u) {
-                                                    phi_2753_ = 2147483648u;
+                                                if (_e829 == 7u) {
+                                                    phi_3101_ = 2147483648u;
                                                 } else {
-                                                    phi_2753_ = ((2147483648u | (_e833 << bitcast<u32>(28u))) | (select(_e853, _e822, _e855) & 268435455u));
+                                                    phi_3101_ = ((2147483648u | (_e829 << bitcast<u32>(28u))) | (select(_e849, _e818, _e851) & 268435455u));
                                                 }
-                                                let _e868 = phi_2753_;
-                                                phi_2754_ = _e868;
+                                                let _e864 = phi_3101_;
+                                                phi_3102_ = _e864;
                                             }
-                                            let _e870 = phi_2754_;
-                                            phi_2758_ = type_55(array<vec4<f32>, 3>(vec4<f32>(_e748, (_e548.member.member.x + _e700), _e753, (_e548.member.member_1.x - _e739)), vec4<f32>(_e749, (_e548.member.member.y + _e704), _e754, (_e548.member.member_1.y - _e743)), vec4<f32>(_e750, (_e548.member.member.z + _e708), _e755, (_e548.member.member_1.z - _e747))), type_54(type_28((_e548.member.member + vec4<f32>(_e678, _e687, _e696, 0f)), (_e548.member.member_1 - vec4<f32>(_e717, _e726, _e735, 0f))), _e845), type_54(type_28((_e548.member.member + vec4<f32>(_e700, _e704, _e708, 0f)), (_e548.member.member_1 - vec4<f32>(_e739, _e743, _e747, 0f))), _e870));
+                                            let _e866 = phi_3102_;
+                                            phi_3106_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e744, (_e544.member.member.x + _e696), _e749, (_e544.member.member_1.x - _e735)), vec4<f32>(_e745, (_e544.member.member.y + _e700), _e750, (_e544.member.member_1.y - _e739)), vec4<f32>(_e746, (_e544.member.member.z + _e704), _e751, (_e544.member.member_1.z - _e743))), type_50(type_28((_e544.member.member + vec4<f32>(_e674, _e683, _e692, 0f)), (_e544.member.member_1 - vec4<f32>(_e713, _e722, _e731, 0f))), _e841), type_50(type_28((_e544.member.member + vec4<f32>(_e696, _e700, _e704, 0f)), (_e544.member.member_1 - vec4<f32>(_e735, _e739, _e743, 0f))), _e866));
                                         }
-                                        let _e875 = phi_2758_;
-                                        let _e888 = ((_e875.member[0].x - _e335) * _e340);
-                                        let _e889 = ((_e875.member[0].y - _e335) * _e340);
-                                        let _e890 = ((_e875.member[0].z - _e336) * _e340);
-                                        let _e891 = ((_e875.member[0].w - _e336) * _e340);
-                                        let _e901 = ((_e875.member[1].x - _e373) * _e378);
-                                        let _e902 = ((_e875.member[1].y - _e373) * _e378);
-                                        let _e903 = ((_e875.member[1].z - _e374) * _e378);
-                                        let _e904 = ((_e875.member[1].w - _e374) * _e378);
-                                        let _e914 = ((_e875.member[2].x - _e411) * _e416);
-                                        let _e915 = ((_e875.member[2].y - _e411) * _e416);
-                                        let _e916 = ((_e875.member[2].z - _e412) * _e416);
-                                        let _e917 = ((_e875.member[2].w - _e412) * _e416);
-                                        let _e919 = select(_e916, _e914, (_e914 < _e916));
-                                        let _e921 = select(_e917, _e915, (_e915 < _e917));
-                                        let _e923 = select(_e916, _e914, (_e914 > _e916));
-                                        let _e925 = select(_e917, _e915, (_e915 > _e917));
-                                        let _e927 = select(_e890, _e888, (_e888 < _e890));
-                                        let _e929 = select(_e891, _e889, (_e889 < _e891));
-                                        let _e931 = select(_e903, _e901, (_e901 < _e903));
-                                        let _e933 = select(_e904, _e902, (_e902 < _e904));
-                                        let _e935 = select(_e931, _e927, (_e927 > _e931));
-                                        let _e937 = select(_e933, _e929, (_e929 > _e933));
-                                        let _e939 = select(_e919, _e935, (_e935 > _e919));
-                                        let _e941 = select(_e921, _e937, (_e937 > _e921));
-                                        let _e943 = select(_e890, _e888, (_e888 > _e890));
-                                        let _e945 = select(_e891, _e889, (_e889 > _e891));
-                                        let _e947 = select(_e903, _e901, (_e901 > _e903));
-                                        let _e949 = select(_e904, _e902, (_e902 > _e904));
-                                        let _e951 = select(_e947, _e943, (_e943 < _e947));
-                                        let _e953 = select(_e949, _e945, (_e945 < _e949));
-                                        let _e958 = -(_e919);
-                                        let _e959 = -(_e921);
-                                        let _e966 = (select(_e923, _e951, (_e951 < _e923)) + (select(_e958, _e923, (_e923 > _e958)) * 0.0000019073523f));
-                                        let _e967 = (select(_e925, _e953, (_e953 < _e925)) + (select(_e959, _e925, (_e925 > _e959)) * 0.0000019073523f));
-                                        let _e969 = select(_e463, _e939, (_e939 > _e463));
-                                        let _e971 = select(_e463, _e941, (_e941 > _e463));
-                                        let _e976 = (_e969 <= select(_e508.member.member_1, _e966, (_e966 < _e508.member.member_1)));
-                                        let _e977 = (_e971 <= select(_e508.member.member_1, _e967, (_e967 < _e508.member.member_1)));
-                                        let _e978 = (_e969 <= _e971);
-                                        if _e976 {
-                                            if _e977 {
-                                                if _e978 {
-                                                    phi_3102_ = _e875.member_2;
+                                        let _e871 = phi_3106_;
+                                        let _e884 = ((_e871.member[0].x - _e331) * _e336);
+                                        let _e885 = ((_e871.member[0].y - _e331) * _e336);
+                                        let _e886 = ((_e871.member[0].z - _e332) * _e336);
+                                        let _e887 = ((_e871.member[0].w - _e332) * _e336);
+                                        let _e897 = ((_e871.member[1].x - _e369) * _e374);
+                                        let _e898 = ((_e871.member[1].y - _e369) * _e374);
+                                        let _e899 = ((_e871.member[1].z - _e370) * _e374);
+                                        let _e900 = ((_e871.member[1].w - _e370) * _e374);
+                                        let _e910 = ((_e871.member[2].x - _e407) * _e412);
+                                        let _e911 = ((_e871.member[2].y - _e407) * _e412);
+                                        let _e912 = ((_e871.member[2].z - _e408) * _e412);
+                                        let _e913 = ((_e871.member[2].w - _e408) * _e412);
+                                        let _e915 = select(_e912, _e910, (_e910 < _e912));
+                                        let _e917 = select(_e913, _e911, (_e911 < _e913));
+                                        let _e919 = select(_e912, _e910, (_e910 > _e912));
+                                        let _e921 = select(_e913, _e911, (_e911 > _e913));
+                                        let _e923 = select(_e886, _e884, (_e884 < _e886));
+                                        let _e925 = select(_e887, _e885, (_e885 < _e887));
+                                        let _e927 = select(_e899, _e897, (_e897 < _e899));
+                                        let _e929 = select(_e900, _e898, (_e898 < _e900));
+                                        let _e931 = select(_e927, _e923, (_e923 > _e927));
+                                        let _e933 = select(_e929, _e925, (_e925 > _e929));
+                                        let _e935 = select(_e915, _e931, (_e931 > _e915));
+                                        let _e937 = select(_e917, _e933, (_e933 > _e917));
+                                        let _e939 = select(_e886, _e884, (_e884 > _e886));
+                                        let _e941 = select(_e887, _e885, (_e885 > _e887));
+                                        let _e943 = select(_e899, _e897, (_e897 > _e899));
+                                        let _e945 = select(_e900, _e898, (_e898 > _e900));
+                                        let _e947 = select(_e943, _e939, (_e939 < _e943));
+                                        let _e949 = select(_e945, _e941, (_e941 < _e945));
+                                        let _e954 = -(_e915);
+                                        let _e955 = -(_e917);
+                                        let _e962 = (select(_e919, _e947, (_e947 < _e919)) + (select(_e954, _e919, (_e919 > _e954)) * 0.0000019073523f));
+                                        let _e963 = (select(_e921, _e949, (_e949 < _e921)) + (select(_e955, _e921, (_e921 > _e955)) * 0.0000019073523f));
+                                        let _e965 = select(_e459, _e935, (_e935 > _e459));
+                                        let _e967 = select(_e459, _e937, (_e937 > _e459));
+                                        let _e972 = (_e965 <= select(_e504.member.member_1, _e962, (_e962 < _e504.member.member_1)));
+                                        let _e973 = (_e967 <= select(_e504.member.member_1, _e963, (_e963 < _e504.member.member_1)));
+                                        let _e974 = (_e965 <= _e967);
+                                        if _e972 {
+                                            if _e973 {
+                                                if _e974 {
+                                                    phi_3450_ = _e871.member_2;
                                                 } else {
-                                                    phi_3102_ = _e875.member_1;
+                                                    phi_3450_ = _e871.member_1;
                                                 }
-                                                let _e982 = phi_3102_;
-                                                let _e1004 = (_e552 % 128u);
-                                                let _e1005 = (_e1004 < 128u);
-                                                if _e1005 {
+                                                let _e978 = phi_3450_;
+                                                let _e1000 = (_e548 % 128u);
+                                                let _e1001 = (_e1000 < 128u);
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1004] = _e982.member_1;
-                                                if _e1005 {
+                                                local_8[_e1000] = _e978.member_1;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1004] = _e982.member.member.x;
-                                                if _e1005 {
+                                                local_7[_e1000] = _e978.member.member.x;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1004] = _e982.member.member.y;
-                                                if _e1005 {
+                                                local_6[_e1000] = _e978.member.member.y;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1004] = _e982.member.member.z;
-                                                if _e1005 {
+                                                local_5[_e1000] = _e978.member.member.z;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1004] = _e982.member.member_1.x;
-                                                if _e1005 {
+                                                local_4[_e1000] = _e978.member.member_1.x;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1004] = _e982.member.member_1.y;
-                                                if _e1005 {
+                                                local_3[_e1000] = _e978.member.member_1.y;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1004] = _e982.member.member_1.z;
-                                                if _e1005 {
+                                                local_2[_e1000] = _e978.member.member_1.z;
+                                                if _e1001 {
                                                 } else {
-                                                    phi_3565_ = true;
+                                                    phi_3931_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1004] = select(_e971, _e969, (_e969 > _e971));
-                                                if _e978 {
-                                                    phi_3179_ = _e875.member_1;
+                                                local_9[_e1000] = select(_e967, _e965, (_e965 > _e967));
+                                                if _e974 {
+                                                    phi_3527_ = _e871.member_1;
                                                 } else {
-                                                    phi_3179_ = _e875.member_2;
+                                                    phi_3527_ = _e871.member_2;
                                                 }
-                                                let _e1018 = phi_3179_;
-                                                phi_3180_ = _e1018;
-                                                phi_3181_ = (_e552 + 1u);
+                                                let _e1014 = phi_3527_;
+                                                phi_3528_ = _e1014;
+                                                phi_3529_ = (_e548 + 1u);
                                             } else {
-                                                phi_3180_ = type_54();
-                                                phi_3181_ = u32();
+                                                phi_3528_ = type_50();
+                                                phi_3529_ = u32();
                                             }
-                                            let _e1020 = phi_3180_;
-                                            let _e1022 = phi_3181_;
-                                            phi_3183_ = _e1020;
-                                            phi_3184_ = _e1022;
-                                            phi_3185_ = select(true, false, _e977);
+                                            let _e1016 = phi_3528_;
+                                            let _e1018 = phi_3529_;
+                                            phi_3531_ = _e1016;
+                                            phi_3532_ = _e1018;
+                                            phi_3533_ = select(true, false, _e973);
                                         } else {
-                                            phi_3183_ = type_54();
-                                            phi_3184_ = u32();
-                                            phi_3185_ = true;
+                                            phi_3531_ = type_50();
+                                            phi_3532_ = u32();
+                                            phi_3533_ = true;
                                         }
-                                        let _e1025 = phi_3183_;
-                                        let _e1027 = phi_3184_;
-                                        let _e1029 = phi_3185_;
-                                        if _e1029 {
-                                            if _e976 {
-                                                phi_3194_ = _e875.member_1;
+                                        let _e1021 = phi_3531_;
+                                        let _e1023 = phi_3532_;
+                                        let _e1025 = phi_3533_;
+                                        if _e1025 {
+                                            if _e972 {
+                                                phi_3542_ = _e871.member_1;
                                             } else {
-                                                phi_3194_ = _e875.member_2;
+                                                phi_3542_ = _e871.member_2;
                                             }
-                                            let _e1033 = phi_3194_;
-                                            phi_3199_ = _e1033;
-                                            phi_3200_ = select(_e977, true, _e976);
+                                            let _e1029 = phi_3542_;
+                                            phi_3547_ = _e1029;
+                                            phi_3548_ = select(_e973, true, _e972);
                                         } else {
-                                            phi_3199_ = _e1025;
-                                            phi_3200_ = _e550;
+                                            phi_3547_ = _e1021;
+                                            phi_3548_ = _e546;
                                         }
-                                        let _e1036 = phi_3199_;
-                                        let _e1038 = phi_3200_;
-                                        phi_3569_ = _e506;
-                                        phi_3202_ = type_39(_e508.member, (_e508.member_1 + 1u), _e508.member_2);
-                                        phi_3203_ = _e1036;
-                                        phi_3204_ = _e1038;
-                                        phi_3205_ = select(_e1027, _e552, _e1029);
+                                        let _e1032 = phi_3547_;
+                                        let _e1034 = phi_3548_;
+                                        phi_3935_ = _e502;
+                                        phi_3550_ = type_39(_e504.member, (_e504.member_1 + 1u), _e504.member_2);
+                                        phi_3551_ = _e1032;
+                                        phi_3552_ = _e1034;
+                                        phi_3553_ = select(_e1023, _e548, _e1025);
                                     }
-                                    let _e1570 = phi_3569_;
-                                    let _e1572 = phi_3202_;
-                                    let _e1574 = phi_3203_;
-                                    let _e1576 = phi_3204_;
-                                    let _e1578 = phi_3205_;
-                                    phi_3568_ = _e1570;
-                                    phi_3206_ = _e1572;
-                                    phi_3207_ = _e1574;
-                                    phi_3208_ = (_e512 - 1u);
-                                    phi_3209_ = _e1576;
-                                    phi_3210_ = _e1578;
+                                    let _e1791 = phi_3935_;
+                                    let _e1793 = phi_3550_;
+                                    let _e1795 = phi_3551_;
+                                    let _e1797 = phi_3552_;
+                                    let _e1799 = phi_3553_;
+                                    phi_3934_ = _e1791;
+                                    phi_3554_ = _e1793;
+                                    phi_3555_ = _e1795;
+                                    phi_3556_ = (_e508 - 1u);
+                                    phi_3557_ = _e1797;
+                                    phi_3558_ = _e1799;
                                 } else {
-                                    phi_3568_ = _e506;
-                                    phi_3206_ = _e508;
-                                    phi_3207_ = _e548;
-                                    phi_3208_ = _e512;
-                                    phi_3209_ = _e550;
-                                    phi_3210_ = _e552;
+                                    phi_3934_ = _e502;
+                                    phi_3554_ = _e504;
+                                    phi_3555_ = _e544;
+                                    phi_3556_ = _e508;
+                                    phi_3557_ = _e546;
+                                    phi_3558_ = _e548;
                                 }
-                                let _e1580 = phi_3568_;
-                                let _e1582 = phi_3206_;
-                                let _e1584 = phi_3207_;
-                                let _e1586 = phi_3208_;
-                                let _e1588 = phi_3209_;
-                                let _e1590 = phi_3210_;
-                                phi_3567_ = _e1580;
-                                phi_3211_ = _e1582;
-                                phi_3212_ = _e1584;
-                                phi_3213_ = _e1586;
-                                phi_3214_ = _e1588;
-                                phi_3215_ = _e1590;
+                                let _e1801 = phi_3934_;
+                                let _e1803 = phi_3554_;
+                                let _e1805 = phi_3555_;
+                                let _e1807 = phi_3556_;
+                                let _e1809 = phi_3557_;
+                                let _e1811 = phi_3558_;
+                                phi_3933_ = _e1801;
+                                phi_3559_ = _e1803;
+                                phi_3560_ = _e1805;
+                                phi_3561_ = _e1807;
+                                phi_3562_ = _e1809;
+                                phi_3563_ = _e1811;
                             } else {
-                                phi_3567_ = _e506;
-                                phi_3211_ = type_39();
-                                phi_3212_ = type_54();
-                                phi_3213_ = u32();
-                                phi_3214_ = bool();
-                                phi_3215_ = u32();
+                                phi_3933_ = _e502;
+                                phi_3559_ = type_39();
+                                phi_3560_ = type_50();
+                                phi_3561_ = u32();
+                                phi_3562_ = bool();
+                                phi_3563_ = u32();
                             }
-                            let _e1592 = phi_3567_;
-                            let _e1594 = phi_3211_;
-                            let _e1596 = phi_3212_;
-                            let _e1598 = phi_3213_;
-                            let _e1600 = phi_3214_;
-                            let _e1602 = phi_3215_;
-                            phi_3566_ = _e1592;
-                            phi_863_ = _e1594;
-                            phi_866_ = _e1596;
-                            phi_868_ = _e1598;
-                            phi_870_ = _e1600;
-                            phi_872_ = _e1602;
-                            phi_3216_ = _e520;
+                            let _e1813 = phi_3933_;
+                            let _e1815 = phi_3559_;
+                            let _e1817 = phi_3560_;
+                            let _e1819 = phi_3561_;
+                            let _e1821 = phi_3562_;
+                            let _e1823 = phi_3563_;
+                            phi_3932_ = _e1813;
+                            phi_848_ = _e1815;
+                            phi_851_ = _e1817;
+                            phi_853_ = _e1819;
+                            phi_855_ = _e1821;
+                            phi_857_ = _e1823;
+                            phi_3564_ = _e516;
                         } else {
-                            phi_3566_ = _e506;
-                            phi_863_ = type_39();
-                            phi_866_ = type_54();
-                            phi_868_ = u32();
-                            phi_870_ = bool();
-                            phi_872_ = u32();
-                            phi_3216_ = false;
+                            phi_3932_ = _e502;
+                            phi_848_ = type_39();
+                            phi_851_ = type_50();
+                            phi_853_ = u32();
+                            phi_855_ = bool();
+                            phi_857_ = u32();
+                            phi_3564_ = false;
                         }
-                        let _e1604 = phi_3566_;
-                        let _e1606 = phi_863_;
-                        let _e1608 = phi_866_;
-                        let _e1610 = phi_868_;
-                        let _e1612 = phi_870_;
-                        let _e1614 = phi_872_;
-                        let _e1616 = phi_3216_;
+                        let _e1825 = phi_3932_;
+                        let _e1827 = phi_848_;
+                        let _e1829 = phi_851_;
+                        let _e1831 = phi_853_;
+                        let _e1833 = phi_855_;
+                        let _e1835 = phi_857_;
+                        let _e1837 = phi_3564_;
                         continue;
                         continuing {
-                            phi_3451_ = _e1604;
-                            phi_862_ = _e1606;
-                            phi_865_ = _e1608;
-                            phi_867_ = _e1610;
-                            phi_869_ = _e1612;
-                            phi_871_ = _e1614;
-                            phi_3565_ = _e1604;
-                            break if !(_e1616);
+                            phi_3776_ = _e1825;
+                            phi_847_ = _e1827;
+                            phi_850_ = _e1829;
+                            phi_852_ = _e1831;
+                            phi_854_ = _e1833;
+                            phi_856_ = _e1835;
+                            phi_3931_ = _e1825;
+                            break if !(_e1837);
                         }
                     }
-                    let _e1619 = phi_3565_;
-                    if _e1619 {
+                    let _e1840 = phi_3931_;
+                    if _e1840 {
                         break;
                     }
-                    let _e1621 = local_13;
-                    let _e1624 = local_14;
-                    if _e151 {
+                    let _e1842 = local_10;
+                    let _e1845 = local_11;
+                    if _e147 {
                     } else {
                         break;
                     }
-                    global_6.member[_e149][0u] = _e1621.member_1;
-                    global_6.member[_e149][1u] = _e1624.member_2;
+                    global_6.member[_e145][0u] = _e1842.member_1;
+                    global_6.member[_e145][1u] = _e1845.member_2;
                 }
             }
             break;

@@ -44,22 +44,22 @@ struct type_41 {
     member: array<type_39>,
 }
 
-struct type_45 {
+struct type_44 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_47 {
+struct type_46 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_49 {
-    member: array<type_47>,
+struct type_48 {
+    member: array<type_46>,
 }
 
-struct type_53 {
-    member: type_45,
+struct type_52 {
+    member: type_44,
     member_1: u32,
 }
 
@@ -75,7 +75,7 @@ var<storage> global_4: type_41;
 @group(0) @binding(5) 
 var<storage, read_write> global_5: type_31;
 @group(0) @binding(3) 
-var<storage> global_6: type_49;
+var<storage> global_6: type_48;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -85,424 +85,393 @@ fn function_() {
     var local_4: array<f32, 128>;
     var local_5: array<f32, 128>;
     var local_6: array<u32, 128>;
-    var local_7: array<f32, 3>;
-    var local_8: array<f32, 3>;
+    var local_7: array<type_18, 8>;
+    var local_8: array<f32, 128>;
     var local_9: array<f32, 3>;
     var local_10: array<f32, 3>;
-    var local_11: array<type_18, 8>;
-    var local_12: array<f32, 128>;
-    var local_13: array<f32, 3>;
-    var local_14: array<f32, 3>;
-    var local_15: array<f32, 3>;
-    var local_16: array<f32, 3>;
-    var local_17: array<u32, 3>;
-    var local_18: array<u32, 3>;
-    var local_19: array<u32, 3>;
-    var local_20: array<array<f32, 3>, 3>;
-    var local_21: array<u32, 3>;
-    var local_22: array<f32, 3>;
-    var local_23: array<f32, 3>;
-    var phi_355_: i32;
-    var phi_356_: i32;
-    var phi_366_: bool;
-    var phi_376_: u32;
-    var phi_377_: u32;
-    var phi_379_: bool;
-    var phi_384_: u32;
+    var phi_336_: i32;
+    var phi_337_: i32;
+    var phi_347_: bool;
+    var phi_357_: u32;
+    var phi_358_: u32;
+    var phi_360_: bool;
+    var phi_365_: u32;
+    var phi_377_: i32;
     var phi_397_: i32;
-    var phi_417_: i32;
-    var phi_435_: f32;
-    var phi_441_: f32;
-    var phi_452_: f32;
-    var phi_458_: f32;
+    var phi_415_: f32;
+    var phi_421_: f32;
+    var phi_432_: f32;
+    var phi_438_: f32;
+    var phi_461_: f32;
+    var phi_472_: f32;
     var phi_481_: f32;
-    var phi_492_: f32;
-    var phi_501_: f32;
-    var phi_507_: f32;
-    var phi_518_: f32;
-    var phi_524_: f32;
+    var phi_487_: f32;
+    var phi_498_: f32;
+    var phi_504_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
     var phi_547_: f32;
-    var phi_558_: f32;
-    var phi_567_: f32;
-    var phi_573_: f32;
-    var phi_584_: f32;
-    var phi_590_: f32;
-    var phi_613_: f32;
-    var phi_624_: f32;
-    var phi_724_: f32;
-    var phi_725_: f32;
-    var phi_3075_: bool;
-    var phi_3066_: f32;
-    var phi_851_: type_53;
-    var phi_854_: u32;
-    var phi_856_: bool;
-    var phi_858_: u32;
-    var phi_869_: bool;
-    var phi_956_: type_53;
-    var phi_957_: bool;
-    var phi_958_: u32;
-    var phi_1942_: type_39;
-    var phi_1951_: type_4;
-    var phi_1952_: type_4;
-    var phi_1975_: type_4;
-    var phi_3068_: bool;
-    var phi_2105_: type_4;
-    var phi_2106_: type_4;
-    var phi_2129_: type_4;
-    var phi_3128_: bool;
-    var phi_2693_: type_53;
-    var phi_2770_: type_53;
-    var phi_2771_: type_53;
-    var phi_2772_: u32;
-    var phi_2774_: type_53;
-    var phi_2775_: u32;
-    var phi_2776_: bool;
-    var phi_2783_: type_53;
-    var phi_2788_: type_53;
-    var phi_2789_: bool;
-    var phi_3177_: f32;
-    var phi_3163_: bool;
-    var phi_977_: type_4;
-    var phi_978_: type_4;
-    var phi_1001_: type_4;
-    var phi_1043_: u32;
-    var phi_1067_: type_47;
-    var phi_3159_: bool;
-    var phi_1078_: type_4;
-    var phi_1079_: type_4;
-    var phi_1102_: type_4;
-    var phi_1112_: type_4;
-    var phi_1113_: type_4;
-    var phi_1136_: type_4;
-    var phi_3154_: bool;
-    var phi_3167_: bool;
-    var phi_3166_: bool;
-    var phi_1700_: vec3<f32>;
-    var phi_1701_: vec3<f32>;
-    var phi_1732_: bool;
-    var phi_1741_: vec3<f32>;
-    var phi_1781_: type_18;
-    var phi_1783_: type_18;
-    var phi_1784_: bool;
-    var phi_1788_: type_18;
-    var phi_1789_: type_18;
-    var phi_1790_: type_18;
-    var phi_1791_: bool;
-    var phi_1795_: type_18;
-    var phi_1796_: bool;
-    var phi_1800_: type_18;
-    var phi_1801_: bool;
-    var phi_1805_: type_18;
-    var phi_1817_: type_4;
-    var phi_1820_: type_18;
-    var phi_1818_: type_4;
-    var phi_1843_: type_4;
-    var phi_1875_: bool;
-    var phi_1876_: bool;
-    var phi_1897_: type_18;
-    var phi_1821_: type_18;
-    var phi_3182_: bool;
-    var phi_3393_: f32;
-    var phi_3392_: f32;
-    var phi_3244_: bool;
-    var phi_3391_: f32;
-    var phi_3243_: bool;
-    var phi_3390_: f32;
-    var phi_3242_: bool;
-    var phi_3330_: f32;
-    var phi_3241_: bool;
-    var phi_3295_: f32;
-    var phi_3250_: bool;
-    var phi_2791_: type_53;
-    var phi_2792_: bool;
-    var phi_2793_: u32;
-    var phi_3294_: f32;
-    var phi_3249_: bool;
-    var phi_2794_: type_53;
-    var phi_2795_: u32;
-    var phi_2796_: bool;
-    var phi_2797_: u32;
-    var phi_3293_: f32;
-    var phi_3248_: bool;
-    var phi_2798_: type_53;
-    var phi_2799_: u32;
-    var phi_2800_: bool;
-    var phi_2801_: u32;
-    var phi_3292_: f32;
-    var phi_3247_: bool;
-    var phi_852_: type_53;
-    var phi_855_: u32;
-    var phi_857_: bool;
-    var phi_859_: u32;
-    var phi_2802_: bool;
-    var phi_3246_: bool;
-    var phi_2809_: type_4;
-    var phi_2810_: type_4;
-    var phi_2833_: type_4;
-    var phi_2899_: type_18;
-    var phi_3285_: bool;
+    var phi_553_: f32;
+    var phi_564_: f32;
+    var phi_570_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
+    var phi_704_: f32;
+    var phi_705_: f32;
+    var phi_3198_: bool;
+    var phi_3118_: f32;
+    var phi_831_: type_52;
+    var phi_834_: u32;
+    var phi_836_: bool;
+    var phi_838_: u32;
+    var phi_849_: bool;
+    var phi_936_: type_52;
+    var phi_937_: bool;
+    var phi_938_: u32;
+    var phi_1956_: type_39;
+    var phi_2789_: type_52;
+    var phi_2866_: type_52;
+    var phi_2867_: type_52;
+    var phi_2868_: u32;
+    var phi_2870_: type_52;
+    var phi_2871_: u32;
+    var phi_2872_: bool;
+    var phi_2879_: type_52;
+    var phi_2884_: type_52;
+    var phi_2885_: bool;
+    var phi_3195_: bool;
+    var phi_3167_: f32;
+    var phi_957_: type_4;
+    var phi_958_: type_4;
+    var phi_981_: type_4;
+    var phi_1006_: u32;
+    var phi_1022_: type_46;
+    var phi_1729_: vec3<f32>;
+    var phi_1730_: vec3<f32>;
+    var phi_1761_: bool;
+    var phi_1770_: vec3<f32>;
+    var phi_1810_: type_18;
+    var phi_1812_: type_18;
+    var phi_1813_: bool;
+    var phi_1817_: type_18;
+    var phi_1818_: type_18;
+    var phi_1819_: type_18;
+    var phi_1820_: bool;
+    var phi_1824_: type_18;
+    var phi_1825_: bool;
+    var phi_1829_: type_18;
+    var phi_1830_: bool;
+    var phi_1834_: type_18;
+    var phi_1846_: type_4;
+    var phi_1849_: type_18;
+    var phi_1847_: type_4;
+    var phi_1872_: type_4;
+    var phi_1904_: bool;
+    var phi_1905_: bool;
+    var phi_1926_: type_18;
+    var phi_1850_: type_18;
+    var phi_3168_: bool;
+    var phi_3477_: f32;
+    var phi_3476_: f32;
+    var phi_3303_: bool;
+    var phi_3475_: f32;
+    var phi_3302_: bool;
+    var phi_3474_: f32;
+    var phi_3301_: bool;
+    var phi_3414_: f32;
+    var phi_3300_: bool;
+    var phi_3379_: f32;
+    var phi_3309_: bool;
+    var phi_2887_: type_52;
+    var phi_2888_: bool;
+    var phi_2889_: u32;
+    var phi_3378_: f32;
+    var phi_3308_: bool;
+    var phi_2890_: type_52;
+    var phi_2891_: u32;
+    var phi_2892_: bool;
+    var phi_2893_: u32;
+    var phi_3377_: f32;
+    var phi_3307_: bool;
+    var phi_2894_: type_52;
+    var phi_2895_: u32;
+    var phi_2896_: bool;
+    var phi_2897_: u32;
+    var phi_3376_: f32;
+    var phi_3306_: bool;
+    var phi_832_: type_52;
+    var phi_835_: u32;
+    var phi_837_: bool;
+    var phi_839_: u32;
+    var phi_2898_: bool;
+    var phi_3305_: bool;
+    var phi_2905_: type_4;
+    var phi_2906_: type_4;
+    var phi_2929_: type_4;
+    var phi_2995_: type_18;
+    var phi_3369_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e91 = global;
-            let _e94 = arrayLength((&global_4.member));
-            let _e105 = global_2.member[0u][0u];
-            let _e109 = global_2.member[0u][1u];
-            let _e113 = global_2.member[0u][2u];
-            let _e117 = global_2.member[1u][0u];
-            let _e121 = global_2.member[1u][1u];
-            let _e125 = global_2.member[1u][2u];
-            let _e129 = global_2.member[1u][3u];
-            let _e132 = global_1.member[0u];
-            let _e133 = bitcast<i32>(_e132);
-            let _e143 = (_e91.x + (_e91.y * 2097152u));
-            let _e144 = (_e143 < arrayLength((&global_3.member)));
-            if _e144 {
-                let _e145 = (_e143 < arrayLength((&global_5.member)));
-                if _e145 {
-                    if _e144 {
+            let _e76 = global;
+            let _e79 = arrayLength((&global_4.member));
+            let _e90 = global_2.member[0u][0u];
+            let _e94 = global_2.member[0u][1u];
+            let _e98 = global_2.member[0u][2u];
+            let _e102 = global_2.member[1u][0u];
+            let _e106 = global_2.member[1u][1u];
+            let _e110 = global_2.member[1u][2u];
+            let _e114 = global_2.member[1u][3u];
+            let _e117 = global_1.member[0u];
+            let _e118 = bitcast<i32>(_e117);
+            let _e128 = (_e76.x + (_e76.y * 2097152u));
+            let _e129 = (_e128 < arrayLength((&global_3.member)));
+            if _e129 {
+                let _e130 = (_e128 < arrayLength((&global_5.member)));
+                if _e130 {
+                    if _e129 {
                     } else {
                         break;
                     }
-                    let _e153 = global_3.member[_e143].member_2[0u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_3.member[_e143].member_2[1u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_3.member[_e143].member_2[2u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_3.member[_e143].member[0u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_3.member[_e143].member[1u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_3.member[_e143].member[2u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e192 = select(_e162, _e155, (_e162 < _e155));
-                    let _e194 = select(_e169, _e192, (_e169 < _e192));
-                    let _e196 = select(_e176, _e194, (_e176 < _e194));
-                    let _e198 = select(_e183, _e196, (_e183 < _e196));
-                    let _e200 = select(_e190, _e198, (_e190 < _e198));
-                    let _e204 = global_3.member[_e143].member_1;
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e213 = global_3.member[_e143].member_3;
-                    let _e219 = (((select(_e206, _e200, (_e206 < _e200)) < 2139095040u) && ((bitcast<u32>(_e213) & 2147483647u) <= 2139095040u)) && (_e194 > 0u));
-                    if _e219 {
-                        let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
-                        if (_e222 >= 8388608u) {
-                            phi_355_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                    let _e138 = global_3.member[_e128].member_2[0u];
+                    let _e140 = (bitcast<u32>(_e138) & 2147483647u);
+                    let _e145 = global_3.member[_e128].member_2[1u];
+                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
+                    let _e152 = global_3.member[_e128].member_2[2u];
+                    let _e154 = (bitcast<u32>(_e152) & 2147483647u);
+                    let _e159 = global_3.member[_e128].member[0u];
+                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                    let _e166 = global_3.member[_e128].member[1u];
+                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                    let _e173 = global_3.member[_e128].member[2u];
+                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                    let _e177 = select(_e147, _e140, (_e147 < _e140));
+                    let _e179 = select(_e154, _e177, (_e154 < _e177));
+                    let _e181 = select(_e161, _e179, (_e161 < _e179));
+                    let _e183 = select(_e168, _e181, (_e168 < _e181));
+                    let _e185 = select(_e175, _e183, (_e175 < _e183));
+                    let _e189 = global_3.member[_e128].member_1;
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e198 = global_3.member[_e128].member_3;
+                    let _e204 = (((select(_e191, _e185, (_e191 < _e185)) < 2139095040u) && ((bitcast<u32>(_e198) & 2147483647u) <= 2139095040u)) && (_e179 > 0u));
+                    if _e204 {
+                        let _e207 = (bitcast<u32>(bitcast<f32>(_e179)) & 2147483647u);
+                        if (_e207 >= 8388608u) {
+                            phi_336_ = (bitcast<i32>((_e207 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_355_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_336_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e207)), 32u, (_e207 == 0u))));
                         }
-                        let _e236 = phi_355_;
-                        phi_356_ = _e236;
+                        let _e221 = phi_336_;
+                        phi_337_ = _e221;
                     } else {
-                        phi_356_ = 0i;
+                        phi_337_ = 0i;
                     }
-                    let _e238 = phi_356_;
-                    let _e239 = (_e155 == _e194);
-                    if _e239 {
-                        phi_366_ = true;
+                    let _e223 = phi_337_;
+                    let _e224 = (_e140 == _e179);
+                    if _e224 {
+                        phi_347_ = true;
                     } else {
-                        phi_366_ = (_e162 == _e194);
+                        phi_347_ = (_e147 == _e179);
                     }
-                    let _e242 = phi_366_;
-                    let _e243 = select(1u, 0u, _e239);
-                    if _e242 {
-                        let _e244 = (_e243 + 1u);
-                        phi_376_ = _e244;
-                        phi_377_ = _e244;
-                        phi_379_ = select(true, false, (_e244 == 2u));
+                    let _e227 = phi_347_;
+                    let _e228 = select(1u, 0u, _e224);
+                    if _e227 {
+                        let _e229 = (_e228 + 1u);
+                        phi_357_ = _e229;
+                        phi_358_ = _e229;
+                        phi_360_ = select(true, false, (_e229 == 2u));
                     } else {
-                        phi_376_ = u32();
-                        phi_377_ = 0u;
-                        phi_379_ = true;
+                        phi_357_ = u32();
+                        phi_358_ = 0u;
+                        phi_360_ = true;
                     }
-                    let _e248 = phi_376_;
-                    let _e250 = phi_377_;
-                    let _e252 = phi_379_;
-                    if _e252 {
-                        phi_384_ = (_e250 + 1u);
+                    let _e233 = phi_357_;
+                    let _e235 = phi_358_;
+                    let _e237 = phi_360_;
+                    if _e237 {
+                        phi_365_ = (_e235 + 1u);
                     } else {
-                        phi_384_ = 0u;
+                        phi_365_ = 0u;
                     }
-                    let _e256 = phi_384_;
-                    let _e257 = select(_e248, _e250, _e252);
-                    let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
-                    if (_e133 < -126i) {
+                    let _e241 = phi_365_;
+                    let _e242 = select(_e233, _e235, _e237);
+                    let _e243 = select(_e228, select(2u, _e228, _e227), _e237);
+                    if (_e118 < -126i) {
+                        phi_377_ = -126i;
+                    } else {
+                        phi_377_ = select(_e118, 127i, (_e118 > 127i));
+                    }
+                    let _e248 = phi_377_;
+                    let _e253 = bitcast<f32>((bitcast<u32>((_e248 + 127i)) << bitcast<u32>(23i)));
+                    let _e259 = bitcast<f32>((bitcast<u32>(((_e118 - _e248) + 127i)) << bitcast<u32>(23i)));
+                    let _e260 = -(_e223);
+                    if (_e260 < -126i) {
                         phi_397_ = -126i;
                     } else {
-                        phi_397_ = select(_e133, 127i, (_e133 > 127i));
+                        phi_397_ = select(_e260, 127i, (_e260 > 127i));
                     }
-                    let _e263 = phi_397_;
-                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
-                    let _e274 = bitcast<f32>((bitcast<u32>(((_e133 - _e263) + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = -(_e238);
-                    if (_e275 < -126i) {
-                        phi_417_ = -126i;
+                    let _e265 = phi_397_;
+                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = bitcast<f32>((bitcast<u32>(((_e260 - _e265) + 127i)) << bitcast<u32>(23i)));
+                    let _e280 = global_3.member[_e128].member;
+                    let _e281 = (_e242 == 0u);
+                    if _e281 {
+                        phi_415_ = _e280[0];
                     } else {
-                        phi_417_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_415_ = _e280[1];
                     }
-                    let _e280 = phi_417_;
-                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = global_3.member[_e143].member;
-                    let _e296 = (_e257 == 0u);
-                    if _e296 {
-                        phi_435_ = _e295[0];
+                    let _e285 = phi_415_;
+                    let _e286 = (_e242 == 2u);
+                    if _e286 {
+                        phi_421_ = _e280[2];
                     } else {
-                        phi_435_ = _e295[1];
+                        phi_421_ = _e285;
                     }
-                    let _e300 = phi_435_;
-                    let _e301 = (_e257 == 2u);
-                    if _e301 {
-                        phi_441_ = _e295[2];
+                    let _e289 = phi_421_;
+                    let _e291 = ((_e289 * _e253) * _e259);
+                    let _e292 = global_3.member[_e128].member_2;
+                    if _e281 {
+                        phi_432_ = _e292[0];
                     } else {
-                        phi_441_ = _e300;
+                        phi_432_ = _e292[1];
                     }
-                    let _e304 = phi_441_;
-                    let _e306 = ((_e304 * _e268) * _e274);
-                    let _e307 = global_3.member[_e143].member_2;
-                    if _e296 {
-                        phi_452_ = _e307[0];
+                    let _e296 = phi_432_;
+                    if _e286 {
+                        phi_438_ = _e292[2];
                     } else {
-                        phi_452_ = _e307[1];
+                        phi_438_ = _e296;
                     }
-                    let _e311 = phi_452_;
-                    if _e301 {
-                        phi_458_ = _e307[2];
+                    let _e299 = phi_438_;
+                    let _e301 = ((_e299 * _e270) * _e276);
+                    let _e305 = (bitcast<f32>((bitcast<u32>(_e301) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e305 {
+                        let _e309 = (bitcast<f32>((bitcast<u32>(_e291) & 2147483647u)) * 0.00000011920929f);
+                        phi_461_ = select(0.00000000000011368684f, _e309, (_e309 > 0.00000000000011368684f));
                     } else {
-                        phi_458_ = _e311;
+                        phi_461_ = 0f;
                     }
-                    let _e314 = phi_458_;
-                    let _e316 = ((_e314 * _e285) * _e291);
-                    let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e313 = phi_461_;
+                    let _e314 = (_e291 + _e313);
+                    let _e315 = (_e291 - _e313);
+                    let _e316 = select(_e301, 0f, _e305);
+                    if _e305 {
+                        phi_472_ = 38685626000000000000000000f;
+                    } else {
+                        phi_472_ = (1f / _e301);
+                    }
+                    let _e319 = phi_472_;
+                    let _e320 = (_e241 == 0u);
                     if _e320 {
-                        let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                        phi_481_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                        phi_481_ = _e280[0];
                     } else {
-                        phi_481_ = 0f;
+                        phi_481_ = _e280[1];
                     }
-                    let _e328 = phi_481_;
-                    let _e329 = (_e306 + _e328);
-                    let _e330 = (_e306 - _e328);
-                    let _e331 = select(_e316, 0f, _e320);
+                    let _e324 = phi_481_;
+                    let _e325 = (_e241 == 2u);
+                    if _e325 {
+                        phi_487_ = _e280[2];
+                    } else {
+                        phi_487_ = _e324;
+                    }
+                    let _e328 = phi_487_;
+                    let _e330 = ((_e328 * _e253) * _e259);
                     if _e320 {
-                        phi_492_ = 38685626000000000000000000f;
+                        phi_498_ = _e292[0];
                     } else {
-                        phi_492_ = (1f / _e316);
+                        phi_498_ = _e292[1];
                     }
-                    let _e334 = phi_492_;
-                    let _e335 = (_e256 == 0u);
-                    if _e335 {
-                        phi_501_ = _e295[0];
+                    let _e334 = phi_498_;
+                    if _e325 {
+                        phi_504_ = _e292[2];
                     } else {
-                        phi_501_ = _e295[1];
+                        phi_504_ = _e334;
                     }
-                    let _e339 = phi_501_;
-                    let _e340 = (_e256 == 2u);
-                    if _e340 {
-                        phi_507_ = _e295[2];
+                    let _e337 = phi_504_;
+                    let _e339 = ((_e337 * _e270) * _e276);
+                    let _e343 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e343 {
+                        let _e347 = (bitcast<f32>((bitcast<u32>(_e330) & 2147483647u)) * 0.00000011920929f);
+                        phi_527_ = select(0.00000000000011368684f, _e347, (_e347 > 0.00000000000011368684f));
                     } else {
-                        phi_507_ = _e339;
+                        phi_527_ = 0f;
                     }
-                    let _e343 = phi_507_;
-                    let _e345 = ((_e343 * _e268) * _e274);
-                    if _e335 {
-                        phi_518_ = _e307[0];
+                    let _e351 = phi_527_;
+                    let _e352 = (_e330 + _e351);
+                    let _e353 = (_e330 - _e351);
+                    let _e354 = select(_e339, 0f, _e343);
+                    if _e343 {
+                        phi_538_ = 38685626000000000000000000f;
                     } else {
-                        phi_518_ = _e307[1];
+                        phi_538_ = (1f / _e339);
                     }
-                    let _e349 = phi_518_;
-                    if _e340 {
-                        phi_524_ = _e307[2];
-                    } else {
-                        phi_524_ = _e349;
-                    }
-                    let _e352 = phi_524_;
-                    let _e354 = ((_e352 * _e285) * _e291);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
+                    let _e357 = phi_538_;
+                    let _e358 = (_e243 == 0u);
                     if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) * 0.00000011920929f);
-                        phi_547_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
+                        phi_547_ = _e280[0];
                     } else {
-                        phi_547_ = 0f;
+                        phi_547_ = _e280[1];
                     }
-                    let _e366 = phi_547_;
-                    let _e367 = (_e345 + _e366);
-                    let _e368 = (_e345 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
+                    let _e362 = phi_547_;
+                    let _e363 = (_e243 == 2u);
+                    if _e363 {
+                        phi_553_ = _e280[2];
+                    } else {
+                        phi_553_ = _e362;
+                    }
+                    let _e366 = phi_553_;
+                    let _e368 = ((_e366 * _e253) * _e259);
                     if _e358 {
-                        phi_558_ = 38685626000000000000000000f;
+                        phi_564_ = _e292[0];
                     } else {
-                        phi_558_ = (1f / _e354);
+                        phi_564_ = _e292[1];
                     }
-                    let _e372 = phi_558_;
-                    let _e373 = (_e258 == 0u);
-                    if _e373 {
-                        phi_567_ = _e295[0];
+                    let _e372 = phi_564_;
+                    if _e363 {
+                        phi_570_ = _e292[2];
                     } else {
-                        phi_567_ = _e295[1];
+                        phi_570_ = _e372;
                     }
-                    let _e377 = phi_567_;
-                    let _e378 = (_e258 == 2u);
-                    if _e378 {
-                        phi_573_ = _e295[2];
+                    let _e375 = phi_570_;
+                    let _e377 = ((_e375 * _e270) * _e276);
+                    let _e381 = (bitcast<f32>((bitcast<u32>(_e377) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e381 {
+                        let _e385 = (bitcast<f32>((bitcast<u32>(_e368) & 2147483647u)) * 0.00000011920929f);
+                        phi_593_ = select(0.00000000000011368684f, _e385, (_e385 > 0.00000000000011368684f));
                     } else {
-                        phi_573_ = _e377;
+                        phi_593_ = 0f;
                     }
-                    let _e381 = phi_573_;
-                    let _e383 = ((_e381 * _e268) * _e274);
-                    if _e373 {
-                        phi_584_ = _e307[0];
+                    let _e389 = phi_593_;
+                    let _e390 = (_e368 + _e389);
+                    let _e391 = (_e368 - _e389);
+                    let _e392 = select(_e377, 0f, _e381);
+                    if _e381 {
+                        phi_604_ = 38685626000000000000000000f;
                     } else {
-                        phi_584_ = _e307[1];
+                        phi_604_ = (1f / _e377);
                     }
-                    let _e387 = phi_584_;
-                    if _e378 {
-                        phi_590_ = _e307[2];
+                    let _e395 = phi_604_;
+                    let _e398 = bitcast<f32>((bitcast<u32>(_e291) & 2147483647u));
+                    let _e401 = bitcast<f32>((bitcast<u32>(_e330) & 2147483647u));
+                    let _e403 = select(_e401, _e398, (_e398 > _e401));
+                    let _e406 = bitcast<f32>((bitcast<u32>(_e368) & 2147483647u));
+                    let _e409 = (_e118 + _e223);
+                    if (_e204 && (select(_e406, _e403, (_e403 > _e406)) <= 1099511600000f)) {
+                        let _e412 = (_e409 / 3i);
+                        let _e419 = bitcast<f32>((bitcast<u32>((_e412 + 127i)) << bitcast<u32>(23i)));
+                        let _e426 = bitcast<f32>((bitcast<u32>(((_e409 - (2i * _e412)) + 127i)) << bitcast<u32>(23i)));
+                        let _e427 = (((_e189 * _e419) * _e419) * _e426);
+                        let _e429 = select(340282350000000000000000000000000000000f, _e427, (_e427 < 340282350000000000000000000000000000000f));
+                        let _e434 = (((_e198 * _e419) * _e419) * _e426);
+                        let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
+                        phi_704_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
+                        phi_705_ = select(-340282350000000000000000000000000000000f, _e429, (_e429 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_590_ = _e387;
+                        phi_704_ = 0f;
+                        phi_705_ = 1f;
                     }
-                    let _e390 = phi_590_;
-                    let _e392 = ((_e390 * _e285) * _e291);
-                    let _e396 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e396 {
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                        phi_613_ = select(0.00000000000011368684f, _e400, (_e400 > 0.00000000000011368684f));
-                    } else {
-                        phi_613_ = 0f;
-                    }
-                    let _e404 = phi_613_;
-                    let _e405 = (_e383 + _e404);
-                    let _e406 = (_e383 - _e404);
-                    let _e407 = select(_e392, 0f, _e396);
-                    if _e396 {
-                        phi_624_ = 38685626000000000000000000f;
-                    } else {
-                        phi_624_ = (1f / _e392);
-                    }
-                    let _e410 = phi_624_;
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e345) & 2147483647u));
-                    let _e418 = select(_e416, _e413, (_e413 > _e416));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                    let _e424 = (_e133 + _e238);
-                    if (_e219 && (select(_e421, _e418, (_e418 > _e421)) <= 1099511600000f)) {
-                        let _e427 = (_e424 / 3i);
-                        let _e434 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = bitcast<f32>((bitcast<u32>(((_e424 - (2i * _e427)) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = (((_e204 * _e434) * _e434) * _e441);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        let _e449 = (((_e213 * _e434) * _e434) * _e441);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        phi_724_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
-                        phi_725_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_724_ = 0f;
-                        phi_725_ = 1f;
-                    }
-                    let _e455 = phi_724_;
-                    let _e457 = phi_725_;
-                    local_11 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
+                    let _e440 = phi_704_;
+                    let _e442 = phi_705_;
+                    local_7 = array<type_18, 8>(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -510,1019 +479,844 @@ fn function_() {
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_12 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_23 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    let _e461 = (_e257 % 3u);
-                    let _e462 = (_e461 < 3u);
-                    if _e462 {
+                    local_8 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                    local_10 = array<f32, 3>(bitcast<f32>(_e90), bitcast<f32>(_e94), bitcast<f32>(_e98));
+                    let _e446 = (_e242 % 3u);
+                    let _e447 = (_e446 < 3u);
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e464 = local_23[_e461];
-                    let _e465 = (_e256 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e449 = local_10[_e446];
+                    let _e450 = (_e241 % 3u);
+                    let _e451 = (_e450 < 3u);
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e468 = local_23[_e465];
-                    let _e469 = (_e258 % 3u);
-                    let _e470 = (_e469 < 3u);
-                    if _e470 {
+                    let _e453 = local_10[_e450];
+                    let _e454 = (_e243 % 3u);
+                    let _e455 = (_e454 < 3u);
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e472 = local_23[_e469];
-                    local_22 = array<f32, 3>(bitcast<f32>(_e117), bitcast<f32>(_e121), bitcast<f32>(_e125));
-                    if _e462 {
+                    let _e457 = local_10[_e454];
+                    local_9 = array<f32, 3>(bitcast<f32>(_e102), bitcast<f32>(_e106), bitcast<f32>(_e110));
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e476 = local_22[_e461];
-                    if _e466 {
+                    let _e461 = local_9[_e446];
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e478 = local_22[_e465];
-                    if _e470 {
+                    let _e463 = local_9[_e450];
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e480 = local_22[_e469];
-                    phi_3075_ = false;
-                    phi_3066_ = _e455;
-                    phi_851_ = type_53(type_45(array<f32, 3>(_e464, _e468, _e472), array<f32, 3>(_e476, _e478, _e480)), select(0u, 2147483648u, (_e94 == 0u)));
-                    phi_854_ = ((3u * _e94) + 1u);
-                    phi_856_ = (_e457 <= _e455);
-                    phi_858_ = 0u;
+                    let _e465 = local_9[_e454];
+                    phi_3198_ = false;
+                    phi_3118_ = _e440;
+                    phi_831_ = type_52(type_44(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e79 == 0u)));
+                    phi_834_ = ((3u * _e79) + 1u);
+                    phi_836_ = (_e442 <= _e440);
+                    phi_838_ = 0u;
                     loop {
-                        let _e488 = phi_3075_;
-                        let _e490 = phi_3066_;
-                        let _e492 = phi_851_;
-                        let _e494 = phi_854_;
-                        let _e496 = phi_856_;
-                        let _e498 = phi_858_;
-                        if _e496 {
-                            phi_869_ = true;
+                        let _e473 = phi_3198_;
+                        let _e475 = phi_3118_;
+                        let _e477 = phi_831_;
+                        let _e479 = phi_834_;
+                        let _e481 = phi_836_;
+                        let _e483 = phi_838_;
+                        if _e481 {
+                            phi_849_ = true;
                         } else {
-                            phi_869_ = (_e498 > 0u);
+                            phi_849_ = (_e483 > 0u);
                         }
-                        let _e501 = phi_869_;
-                        if _e501 {
-                            let _e502 = (_e494 > 0u);
-                            if _e502 {
-                                if _e496 {
-                                    phi_956_ = _e492;
-                                    phi_957_ = _e496;
-                                    phi_958_ = _e498;
+                        let _e486 = phi_849_;
+                        if _e486 {
+                            let _e487 = (_e479 > 0u);
+                            if _e487 {
+                                if _e481 {
+                                    phi_936_ = _e477;
+                                    phi_937_ = _e481;
+                                    phi_938_ = _e483;
                                 } else {
-                                    let _e503 = (_e498 - 1u);
-                                    let _e504 = (_e503 % 128u);
-                                    let _e505 = (_e504 < 128u);
-                                    if _e505 {
+                                    let _e488 = (_e483 - 1u);
+                                    let _e489 = (_e488 % 128u);
+                                    let _e490 = (_e489 < 128u);
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e507 = local_6[_e504];
-                                    if _e505 {
+                                    let _e492 = local_6[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e509 = local_5[_e504];
-                                    if _e505 {
+                                    let _e494 = local_5[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e511 = local_4[_e504];
-                                    if _e505 {
+                                    let _e496 = local_4[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e513 = local_3[_e504];
-                                    if _e505 {
+                                    let _e498 = local_3[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e516 = local_2[_e504];
-                                    if _e505 {
+                                    let _e501 = local_2[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e518 = local_1[_e504];
-                                    if _e505 {
+                                    let _e503 = local_1[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e520 = local[_e504];
-                                    if _e505 {
+                                    let _e505 = local[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_3246_ = true;
+                                        phi_3305_ = true;
                                         break;
                                     }
-                                    let _e525 = local_12[_e504];
-                                    phi_956_ = type_53(type_45(array<f32, 3>(_e509, _e511, _e513), array<f32, 3>(_e516, _e518, _e520)), _e507);
-                                    phi_957_ = (_e525 <= _e490);
-                                    phi_958_ = _e503;
+                                    let _e510 = local_8[_e489];
+                                    phi_936_ = type_52(type_44(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
+                                    phi_937_ = (_e510 <= _e475);
+                                    phi_938_ = _e488;
                                 }
-                                let _e528 = phi_956_;
-                                let _e530 = phi_957_;
-                                let _e532 = phi_958_;
-                                if _e530 {
-                                    if ((_e528.member_1 & 2147483648u) != 0u) {
-                                        phi_3177_ = _e490;
-                                        phi_3163_ = _e488;
-                                        phi_977_ = type_4(0u, ((_e528.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e513 = phi_936_;
+                                let _e515 = phi_937_;
+                                let _e517 = phi_938_;
+                                if _e515 {
+                                    if ((_e513.member_1 & 2147483648u) != 0u) {
+                                        phi_3195_ = _e473;
+                                        phi_3167_ = _e475;
+                                        phi_957_ = type_4(0u, ((_e513.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e856 = phi_3177_;
-                                            let _e858 = phi_3163_;
-                                            let _e860 = phi_977_;
-                                            if (_e860.member < _e860.member_1) {
-                                                phi_978_ = type_4((_e860.member + 1u), _e860.member_1);
-                                                phi_1001_ = type_4(1u, _e860.member);
+                                            let _e869 = phi_3195_;
+                                            let _e871 = phi_3167_;
+                                            let _e873 = phi_957_;
+                                            if (_e873.member < _e873.member_1) {
+                                                phi_958_ = type_4((_e873.member + 1u), _e873.member_1);
+                                                phi_981_ = type_4(1u, _e873.member);
                                             } else {
-                                                phi_978_ = _e860;
-                                                phi_1001_ = type_4(0u, type_4().member_1);
+                                                phi_958_ = _e873;
+                                                phi_981_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e873 = phi_978_;
-                                            let _e875 = phi_1001_;
-                                            let _e879 = (bitcast<i32>(_e875.member) != 0i);
-                                            if _e879 {
-                                                local_8 = array<f32, 3>(_e528.member.member[0], _e528.member.member[1], _e528.member.member[2]);
-                                                local_7 = array<f32, 3>(_e528.member.member_1[0], _e528.member.member_1[1], _e528.member.member_1[2]);
-                                                let _e890 = ((_e528.member_1 & 268435455u) + _e875.member_1);
-                                                let _e891 = (_e890 < arrayLength((&global_6.member)));
-                                                if _e891 {
-                                                    if _e891 {
+                                            let _e886 = phi_958_;
+                                            let _e888 = phi_981_;
+                                            let _e892 = (bitcast<i32>(_e888.member) != 0i);
+                                            if _e892 {
+                                                let _e893 = ((_e513.member_1 & 268435455u) + _e888.member_1);
+                                                let _e894 = (_e893 < arrayLength((&global_6.member)));
+                                                if _e894 {
+                                                    if _e894 {
                                                     } else {
-                                                        phi_3330_ = _e856;
-                                                        phi_3241_ = true;
+                                                        phi_3414_ = _e871;
+                                                        phi_3300_ = true;
                                                         break;
                                                     }
-                                                    let _e894 = global_6.member[_e890].member_1;
-                                                    phi_1043_ = _e894;
+                                                    let _e897 = global_6.member[_e893].member_1;
+                                                    phi_1006_ = _e897;
                                                 } else {
-                                                    phi_1043_ = 4294967295u;
+                                                    phi_1006_ = 4294967295u;
                                                 }
-                                                let _e896 = phi_1043_;
-                                                local_19 = array<u32, 3>(_e257, _e256, _e258);
-                                                if _e891 {
-                                                    if _e891 {
+                                                let _e899 = phi_1006_;
+                                                if _e894 {
+                                                    if _e894 {
                                                     } else {
-                                                        phi_3330_ = _e856;
-                                                        phi_3241_ = true;
+                                                        phi_3414_ = _e871;
+                                                        phi_3300_ = true;
                                                         break;
                                                     }
-                                                    let _e899 = global_6.member[_e890];
-                                                    phi_1067_ = _e899;
+                                                    let _e901 = global_6.member[_e893];
+                                                    phi_1022_ = _e901;
                                                 } else {
-                                                    phi_1067_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1022_ = type_46(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e901 = phi_1067_;
-                                                local_21 = array<u32, 3>(_e901.member[0], _e901.member[1], _e901.member[2]);
-                                                local_20[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_20[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_20[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3159_ = _e858;
-                                                phi_1078_ = type_4(0u, 3u);
-                                                loop {
-                                                    let _e911 = phi_3159_;
-                                                    let _e913 = phi_1078_;
-                                                    if (_e913.member < _e913.member_1) {
-                                                        phi_1079_ = type_4((_e913.member + 1u), _e913.member_1);
-                                                        phi_1102_ = type_4(1u, _e913.member);
+                                                let _e903 = phi_1022_;
+                                                let _e915 = ((10u * _e242) & 31u);
+                                                let _e918 = ((_e903.member[0] >> bitcast<u32>(_e915)) & 1023u);
+                                                let _e923 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e114));
+                                                let _e929 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e918) * _e923)) ^ _e114)));
+                                                let _e933 = select(select(_e513.member.member_1[0], _e929, (_e929 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e918 == 1023u));
+                                                let _e935 = ((10u * _e241) & 31u);
+                                                let _e938 = ((_e903.member[0] >> bitcast<u32>(_e935)) & 1023u);
+                                                let _e943 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e114));
+                                                let _e949 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e938) * _e943)) ^ _e114)));
+                                                let _e953 = select(select(_e513.member.member_1[1], _e949, (_e949 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e938 == 1023u));
+                                                let _e955 = ((10u * _e243) & 31u);
+                                                let _e958 = ((_e903.member[0] >> bitcast<u32>(_e955)) & 1023u);
+                                                let _e963 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e114));
+                                                let _e969 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e958) * _e963)) ^ _e114)));
+                                                let _e973 = select(select(_e513.member.member_1[2], _e969, (_e969 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e958 == 1023u));
+                                                let _e977 = ((_e903.member[1] >> bitcast<u32>(_e915)) & 1023u);
+                                                let _e983 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e977) * _e923)) ^ _e114)));
+                                                let _e987 = select(select(_e513.member.member_1[0], _e983, (_e983 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e977 == 1023u));
+                                                let _e990 = ((_e903.member[1] >> bitcast<u32>(_e935)) & 1023u);
+                                                let _e996 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e990) * _e943)) ^ _e114)));
+                                                let _e1000 = select(select(_e513.member.member_1[1], _e996, (_e996 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e990 == 1023u));
+                                                let _e1003 = ((_e903.member[1] >> bitcast<u32>(_e955)) & 1023u);
+                                                let _e1009 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1003) * _e963)) ^ _e114)));
+                                                let _e1013 = select(select(_e513.member.member_1[2], _e1009, (_e1009 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1003 == 1023u));
+                                                let _e1017 = ((_e903.member[2] >> bitcast<u32>(_e915)) & 1023u);
+                                                let _e1023 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1017) * _e923)) ^ _e114)));
+                                                let _e1027 = select(select(_e513.member.member_1[0], _e1023, (_e1023 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e1017 == 1023u));
+                                                let _e1030 = ((_e903.member[2] >> bitcast<u32>(_e935)) & 1023u);
+                                                let _e1036 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1030) * _e943)) ^ _e114)));
+                                                let _e1040 = select(select(_e513.member.member_1[1], _e1036, (_e1036 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1030 == 1023u));
+                                                let _e1043 = ((_e903.member[2] >> bitcast<u32>(_e955)) & 1023u);
+                                                let _e1049 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1043) * _e963)) ^ _e114)));
+                                                let _e1053 = select(select(_e513.member.member_1[2], _e1049, (_e1049 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1043 == 1023u));
+                                                let _e1056 = (_e973 - _e368);
+                                                let _e1059 = (((_e933 - _e291) * _e392) - (_e1056 * _e316));
+                                                let _e1062 = (((_e953 - _e330) * _e392) - (_e1056 * _e354));
+                                                let _e1065 = (_e1013 - _e368);
+                                                let _e1068 = (((_e987 - _e291) * _e392) - (_e1065 * _e316));
+                                                let _e1071 = (((_e1000 - _e330) * _e392) - (_e1065 * _e354));
+                                                let _e1074 = (_e1053 - _e368);
+                                                let _e1077 = (((_e1027 - _e291) * _e392) - (_e1074 * _e316));
+                                                let _e1080 = (((_e1040 - _e330) * _e392) - (_e1074 * _e354));
+                                                let _e1081 = (_e1077 * _e1071);
+                                                let _e1082 = (_e1080 * _e1068);
+                                                let _e1083 = (_e1059 * _e1080);
+                                                let _e1084 = (_e1062 * _e1077);
+                                                let _e1085 = (_e1068 * _e1062);
+                                                let _e1086 = (_e1071 * _e1059);
+                                                let _e1091 = (((_e1081 >= _e1082) && (_e1083 >= _e1084)) && (_e1085 >= _e1086));
+                                                if (_e1091 || (((_e1081 <= _e1082) && (_e1083 <= _e1084)) && (_e1085 <= _e1086))) {
+                                                    let _e1098 = select(-1f, 1f, _e1091);
+                                                    let _e1100 = ((_e1081 - _e1082) * _e1098);
+                                                    let _e1102 = select(0f, _e1100, (_e1100 > 0f));
+                                                    let _e1104 = ((_e1083 - _e1084) * _e1098);
+                                                    let _e1106 = select(0f, _e1104, (_e1104 > 0f));
+                                                    let _e1108 = ((_e1085 - _e1086) * _e1098);
+                                                    let _e1110 = select(0f, _e1108, (_e1108 > 0f));
+                                                    let _e1112 = ((_e1102 + _e1106) + _e1110);
+                                                    if (_e1112 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1824_ = type_18();
+                                                        phi_1825_ = true;
                                                     } else {
-                                                        phi_1079_ = _e913;
-                                                        phi_1102_ = type_4(0u, type_4().member_1);
-                                                    }
-                                                    let _e926 = phi_1079_;
-                                                    let _e928 = phi_1102_;
-                                                    let _e932 = (bitcast<i32>(_e928.member) != 0i);
-                                                    if _e932 {
-                                                        phi_1112_ = type_4(0u, 3u);
-                                                        loop {
-                                                            let _e934 = phi_1112_;
-                                                            if (_e934.member < _e934.member_1) {
-                                                                phi_1113_ = type_4((_e934.member + 1u), _e934.member_1);
-                                                                phi_1136_ = type_4(1u, _e934.member);
-                                                            } else {
-                                                                phi_1113_ = _e934;
-                                                                phi_1136_ = type_4(0u, type_4().member_1);
-                                                            }
-                                                            let _e947 = phi_1113_;
-                                                            let _e949 = phi_1136_;
-                                                            let _e953 = (bitcast<i32>(_e949.member) != 0i);
-                                                            if _e953 {
-                                                                let _e954 = (_e928.member_1 < 3u);
-                                                                if _e954 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e956 = local_21[_e928.member_1];
-                                                                let _e957 = (_e949.member_1 < 3u);
-                                                                if _e957 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e959 = local_19[_e949.member_1];
-                                                                let _e964 = ((_e956 >> bitcast<u32>(((10u * _e959) & 31u))) & 1023u);
-                                                                if _e957 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e966 = local_8[_e949.member_1];
-                                                                if _e957 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e968 = local_7[_e949.member_1];
-                                                                let _e979 = (_e966 + bitcast<f32>((bitcast<u32>((f32(_e964) * bitcast<f32>((bitcast<u32>(((_e968 - _e966) * 0.0009775171f)) ^ _e129)))) ^ _e129)));
-                                                                if _e954 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e957 {
-                                                                } else {
-                                                                    phi_3154_ = true;
-                                                                    break;
-                                                                }
-                                                                local_20[_e928.member_1][_e949.member_1] = select(select(_e968, _e979, (_e979 < _e968)), _e968, (_e964 == 1023u));
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1112_ = _e947;
-                                                                phi_3154_ = _e911;
-                                                                break if !(_e953);
-                                                            }
-                                                        }
-                                                        let _e988 = phi_3154_;
-                                                        phi_3166_ = _e988;
-                                                        if _e988 {
-                                                            break;
-                                                        }
-                                                        phi_3167_ = _e988;
-                                                    } else {
-                                                        phi_3167_ = _e911;
-                                                    }
-                                                    let _e990 = phi_3167_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_3159_ = _e990;
-                                                        phi_1078_ = _e926;
-                                                        phi_3166_ = _e990;
-                                                        break if !(_e932);
-                                                    }
-                                                }
-                                                let _e993 = phi_3166_;
-                                                phi_3330_ = _e856;
-                                                phi_3241_ = _e993;
-                                                if _e993 {
-                                                    break;
-                                                }
-                                                let _e994 = local_20;
-                                                let _e1009 = (_e994[0][2] - _e383);
-                                                let _e1012 = (((_e994[0][0] - _e306) * _e407) - (_e1009 * _e331));
-                                                let _e1015 = (((_e994[0][1] - _e345) * _e407) - (_e1009 * _e369));
-                                                let _e1018 = (_e994[1][2] - _e383);
-                                                let _e1021 = (((_e994[1][0] - _e306) * _e407) - (_e1018 * _e331));
-                                                let _e1024 = (((_e994[1][1] - _e345) * _e407) - (_e1018 * _e369));
-                                                let _e1027 = (_e994[2][2] - _e383);
-                                                let _e1030 = (((_e994[2][0] - _e306) * _e407) - (_e1027 * _e331));
-                                                let _e1033 = (((_e994[2][1] - _e345) * _e407) - (_e1027 * _e369));
-                                                let _e1034 = (_e1030 * _e1024);
-                                                let _e1035 = (_e1033 * _e1021);
-                                                let _e1036 = (_e1012 * _e1033);
-                                                let _e1037 = (_e1015 * _e1030);
-                                                let _e1038 = (_e1021 * _e1015);
-                                                let _e1039 = (_e1024 * _e1012);
-                                                let _e1044 = (((_e1034 >= _e1035) && (_e1036 >= _e1037)) && (_e1038 >= _e1039));
-                                                if (_e1044 || (((_e1034 <= _e1035) && (_e1036 <= _e1037)) && (_e1038 <= _e1039))) {
-                                                    let _e1051 = select(-1f, 1f, _e1044);
-                                                    let _e1053 = ((_e1034 - _e1035) * _e1051);
-                                                    let _e1055 = select(0f, _e1053, (_e1053 > 0f));
-                                                    let _e1057 = ((_e1036 - _e1037) * _e1051);
-                                                    let _e1059 = select(0f, _e1057, (_e1057 > 0f));
-                                                    let _e1061 = ((_e1038 - _e1039) * _e1051);
-                                                    let _e1063 = select(0f, _e1061, (_e1061 > 0f));
-                                                    let _e1065 = ((_e1055 + _e1059) + _e1063);
-                                                    if (_e1065 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1795_ = type_18();
-                                                        phi_1796_ = true;
-                                                    } else {
-                                                        let _e1068 = select(_e994[1][0], _e994[0][0], (_e994[0][0] < _e994[1][0]));
-                                                        let _e1072 = select(_e994[1][0], _e994[0][0], (_e994[0][0] > _e994[1][0]));
-                                                        let _e1076 = select(_e994[1][1], _e994[0][1], (_e994[0][1] < _e994[1][1]));
-                                                        let _e1080 = select(_e994[1][1], _e994[0][1], (_e994[0][1] > _e994[1][1]));
-                                                        let _e1084 = select(_e994[1][2], _e994[0][2], (_e994[0][2] < _e994[1][2]));
-                                                        let _e1088 = select(_e994[1][2], _e994[0][2], (_e994[0][2] > _e994[1][2]));
-                                                        let _e1093 = ((select(_e994[2][0], _e1068, (_e1068 < _e994[2][0])) - _e329) * _e334);
-                                                        let _e1094 = ((select(_e994[2][0], _e1072, (_e1072 > _e994[2][0])) - _e330) * _e334);
-                                                        let _e1097 = ((select(_e994[2][1], _e1076, (_e1076 < _e994[2][1])) - _e367) * _e372);
-                                                        let _e1098 = ((select(_e994[2][1], _e1080, (_e1080 > _e994[2][1])) - _e368) * _e372);
-                                                        let _e1101 = ((select(_e994[2][2], _e1084, (_e1084 < _e994[2][2])) - _e405) * _e410);
-                                                        let _e1102 = ((select(_e994[2][2], _e1088, (_e1088 > _e994[2][2])) - _e406) * _e410);
-                                                        let _e1104 = select(_e1102, _e1101, (_e1101 < _e1102));
-                                                        let _e1106 = select(_e1102, _e1101, (_e1101 > _e1102));
-                                                        let _e1108 = select(_e1094, _e1093, (_e1093 < _e1094));
-                                                        let _e1110 = select(_e1098, _e1097, (_e1097 < _e1098));
-                                                        let _e1112 = select(_e1110, _e1108, (_e1108 > _e1110));
-                                                        let _e1114 = select(_e1104, _e1112, (_e1112 > _e1104));
-                                                        let _e1116 = select(_e1094, _e1093, (_e1093 > _e1094));
-                                                        let _e1118 = select(_e1098, _e1097, (_e1097 > _e1098));
-                                                        let _e1120 = select(_e1118, _e1116, (_e1116 < _e1118));
-                                                        let _e1122 = select(_e1106, _e1120, (_e1120 < _e1106));
-                                                        let _e1123 = -(_e1104);
-                                                        let _e1129 = select(_e457, _e1114, (_e1114 > _e457));
-                                                        if (_e1129 > (_e1122 + (select(_e1123, _e1106, (_e1106 > _e1123)) * 0.0000019073523f))) {
-                                                            phi_1790_ = type_18();
-                                                            phi_1791_ = true;
+                                                        let _e1115 = select(_e987, _e933, (_e933 < _e987));
+                                                        let _e1119 = select(_e987, _e933, (_e933 > _e987));
+                                                        let _e1123 = select(_e1000, _e953, (_e953 < _e1000));
+                                                        let _e1127 = select(_e1000, _e953, (_e953 > _e1000));
+                                                        let _e1131 = select(_e1013, _e973, (_e973 < _e1013));
+                                                        let _e1135 = select(_e1013, _e973, (_e973 > _e1013));
+                                                        let _e1140 = ((select(_e1027, _e1115, (_e1115 < _e1027)) - _e314) * _e319);
+                                                        let _e1141 = ((select(_e1027, _e1119, (_e1119 > _e1027)) - _e315) * _e319);
+                                                        let _e1144 = ((select(_e1040, _e1123, (_e1123 < _e1040)) - _e352) * _e357);
+                                                        let _e1145 = ((select(_e1040, _e1127, (_e1127 > _e1040)) - _e353) * _e357);
+                                                        let _e1148 = ((select(_e1053, _e1131, (_e1131 < _e1053)) - _e390) * _e395);
+                                                        let _e1149 = ((select(_e1053, _e1135, (_e1135 > _e1053)) - _e391) * _e395);
+                                                        let _e1151 = select(_e1149, _e1148, (_e1148 < _e1149));
+                                                        let _e1153 = select(_e1149, _e1148, (_e1148 > _e1149));
+                                                        let _e1155 = select(_e1141, _e1140, (_e1140 < _e1141));
+                                                        let _e1157 = select(_e1145, _e1144, (_e1144 < _e1145));
+                                                        let _e1159 = select(_e1157, _e1155, (_e1155 > _e1157));
+                                                        let _e1161 = select(_e1151, _e1159, (_e1159 > _e1151));
+                                                        let _e1163 = select(_e1141, _e1140, (_e1140 > _e1141));
+                                                        let _e1165 = select(_e1145, _e1144, (_e1144 > _e1145));
+                                                        let _e1167 = select(_e1165, _e1163, (_e1163 < _e1165));
+                                                        let _e1169 = select(_e1153, _e1167, (_e1167 < _e1153));
+                                                        let _e1170 = -(_e1151);
+                                                        let _e1176 = select(_e442, _e1161, (_e1161 > _e442));
+                                                        if (_e1176 > (_e1169 + (select(_e1170, _e1153, (_e1153 > _e1170)) * 0.0000019073523f))) {
+                                                            phi_1819_ = type_18();
+                                                            phi_1820_ = true;
                                                         } else {
-                                                            let _e1131 = (_e1129 > _e856);
-                                                            if _e1131 {
-                                                                phi_1789_ = type_18();
+                                                            let _e1178 = (_e1176 > _e871);
+                                                            if _e1178 {
+                                                                phi_1818_ = type_18();
                                                             } else {
-                                                                let _e1135 = (_e994[1][0] - _e994[0][0]);
-                                                                let _e1136 = (_e994[1][1] - _e994[0][1]);
-                                                                let _e1137 = (_e994[1][2] - _e994[0][2]);
-                                                                let _e1138 = vec3<f32>(_e1135, _e1136, _e1137);
-                                                                let _e1139 = (_e994[2][0] - _e994[1][0]);
-                                                                let _e1140 = (_e994[2][1] - _e994[1][1]);
-                                                                let _e1141 = (_e994[2][2] - _e994[1][2]);
-                                                                let _e1142 = vec3<f32>(_e1139, _e1140, _e1141);
-                                                                let _e1143 = (_e994[0][0] - _e994[2][0]);
-                                                                let _e1144 = (_e994[0][1] - _e994[2][1]);
-                                                                let _e1145 = (_e994[0][2] - _e994[2][2]);
-                                                                let _e1146 = vec3<f32>(_e1143, _e1144, _e1145);
-                                                                let _e1149 = bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u));
-                                                                let _e1152 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
-                                                                let _e1154 = select(_e1152, _e1149, (_e1149 > _e1152));
-                                                                let _e1157 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
-                                                                let _e1159 = select(_e1157, _e1154, (_e1154 > _e1157));
-                                                                let _e1162 = bitcast<f32>((bitcast<u32>(_e1139) & 2147483647u));
-                                                                let _e1165 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
-                                                                let _e1167 = select(_e1165, _e1162, (_e1162 > _e1165));
-                                                                let _e1170 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
-                                                                let _e1172 = select(_e1170, _e1167, (_e1167 > _e1170));
-                                                                let _e1175 = bitcast<f32>((bitcast<u32>(_e1143) & 2147483647u));
-                                                                let _e1178 = bitcast<f32>((bitcast<u32>(_e1144) & 2147483647u));
-                                                                let _e1180 = select(_e1178, _e1175, (_e1175 > _e1178));
-                                                                let _e1183 = bitcast<f32>((bitcast<u32>(_e1145) & 2147483647u));
-                                                                let _e1185 = select(_e1183, _e1180, (_e1180 > _e1183));
-                                                                let _e1187 = select(_e1172, _e1159, (_e1159 > _e1172));
-                                                                let _e1189 = select(_e1185, _e1187, (_e1187 > _e1185));
-                                                                if (_e1159 == _e1189) {
-                                                                    phi_1700_ = _e1142;
-                                                                    phi_1701_ = _e1146;
+                                                                let _e1182 = (_e987 - _e933);
+                                                                let _e1183 = (_e1000 - _e953);
+                                                                let _e1184 = (_e1013 - _e973);
+                                                                let _e1185 = vec3<f32>(_e1182, _e1183, _e1184);
+                                                                let _e1186 = (_e1027 - _e987);
+                                                                let _e1187 = (_e1040 - _e1000);
+                                                                let _e1188 = (_e1053 - _e1013);
+                                                                let _e1189 = vec3<f32>(_e1186, _e1187, _e1188);
+                                                                let _e1190 = (_e933 - _e1027);
+                                                                let _e1191 = (_e953 - _e1040);
+                                                                let _e1192 = (_e973 - _e1053);
+                                                                let _e1193 = vec3<f32>(_e1190, _e1191, _e1192);
+                                                                let _e1196 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
+                                                                let _e1199 = bitcast<f32>((bitcast<u32>(_e1183) & 2147483647u));
+                                                                let _e1201 = select(_e1199, _e1196, (_e1196 > _e1199));
+                                                                let _e1204 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
+                                                                let _e1206 = select(_e1204, _e1201, (_e1201 > _e1204));
+                                                                let _e1209 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
+                                                                let _e1212 = bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u));
+                                                                let _e1214 = select(_e1212, _e1209, (_e1209 > _e1212));
+                                                                let _e1217 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
+                                                                let _e1219 = select(_e1217, _e1214, (_e1214 > _e1217));
+                                                                let _e1222 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
+                                                                let _e1225 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
+                                                                let _e1227 = select(_e1225, _e1222, (_e1222 > _e1225));
+                                                                let _e1230 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
+                                                                let _e1232 = select(_e1230, _e1227, (_e1227 > _e1230));
+                                                                let _e1234 = select(_e1219, _e1206, (_e1206 > _e1219));
+                                                                let _e1236 = select(_e1232, _e1234, (_e1234 > _e1232));
+                                                                if (_e1206 == _e1236) {
+                                                                    phi_1729_ = _e1189;
+                                                                    phi_1730_ = _e1193;
                                                                 } else {
-                                                                    let _e1192 = vec3((_e1172 == _e1189));
-                                                                    phi_1700_ = select(_e1138, _e1146, _e1192);
-                                                                    phi_1701_ = select(_e1142, _e1138, _e1192);
+                                                                    let _e1239 = vec3((_e1219 == _e1236));
+                                                                    phi_1729_ = select(_e1185, _e1193, _e1239);
+                                                                    phi_1730_ = select(_e1189, _e1185, _e1239);
                                                                 }
-                                                                let _e1196 = phi_1700_;
-                                                                let _e1198 = phi_1701_;
-                                                                let _e1205 = ((_e1196.y * _e1198.z) - (_e1198.y * _e1196.z));
-                                                                let _e1210 = ((_e1196.z * _e1198.x) - (_e1198.z * _e1196.x));
-                                                                let _e1213 = ((_e1196.x * _e1198.y) - (_e1198.x * _e1196.y));
-                                                                if (_e1055 >= _e1059) {
-                                                                    phi_1732_ = select(true, false, (_e1055 >= _e1063));
+                                                                let _e1243 = phi_1729_;
+                                                                let _e1245 = phi_1730_;
+                                                                let _e1252 = ((_e1243.y * _e1245.z) - (_e1245.y * _e1243.z));
+                                                                let _e1257 = ((_e1243.z * _e1245.x) - (_e1245.z * _e1243.x));
+                                                                let _e1260 = ((_e1243.x * _e1245.y) - (_e1245.x * _e1243.y));
+                                                                if (_e1102 >= _e1106) {
+                                                                    phi_1761_ = select(true, false, (_e1102 >= _e1110));
                                                                 } else {
-                                                                    phi_1732_ = true;
+                                                                    phi_1761_ = true;
                                                                 }
-                                                                let _e1218 = phi_1732_;
-                                                                if _e1218 {
-                                                                    phi_1741_ = select(vec3<f32>(_e994[2][0], _e994[2][1], _e994[2][2]), vec3<f32>(_e994[1][0], _e994[1][1], _e994[1][2]), vec3((_e1059 >= _e1063)));
+                                                                let _e1265 = phi_1761_;
+                                                                if _e1265 {
+                                                                    phi_1770_ = select(vec3<f32>(_e1027, _e1040, _e1053), vec3<f32>(_e987, _e1000, _e1013), vec3((_e1106 >= _e1110)));
                                                                 } else {
-                                                                    phi_1741_ = vec3<f32>(_e994[0][0], _e994[0][1], _e994[0][2]);
+                                                                    phi_1770_ = vec3<f32>(_e933, _e953, _e973);
                                                                 }
-                                                                let _e1223 = phi_1741_;
-                                                                let _e1240 = ((((_e1205 * (_e1223.x - _e306)) + (_e1210 * (_e1223.y - _e345))) + (_e1213 * (_e1223.z - _e383))) / (((_e1205 * _e331) + (_e1210 * _e369)) + (_e1213 * _e407)));
-                                                                let _e1242 = select(_e1122, _e1240, (_e1240 < _e1122));
-                                                                let _e1244 = select(_e1114, _e1242, (_e1242 > _e1114));
-                                                                if (_e1244 >= _e457) {
-                                                                    let _e1246 = (_e1244 <= _e856);
-                                                                    if _e1246 {
-                                                                        let _e1247 = (1f / _e1065);
-                                                                        phi_1781_ = type_18(_e1244, (_e1059 * _e1247), (_e1063 * _e1247), _e896);
+                                                                let _e1270 = phi_1770_;
+                                                                let _e1287 = ((((_e1252 * (_e1270.x - _e291)) + (_e1257 * (_e1270.y - _e330))) + (_e1260 * (_e1270.z - _e368))) / (((_e1252 * _e316) + (_e1257 * _e354)) + (_e1260 * _e392)));
+                                                                let _e1289 = select(_e1169, _e1287, (_e1287 < _e1169));
+                                                                let _e1291 = select(_e1161, _e1289, (_e1289 > _e1161));
+                                                                if (_e1291 >= _e442) {
+                                                                    let _e1293 = (_e1291 <= _e871);
+                                                                    if _e1293 {
+                                                                        let _e1294 = (1f / _e1112);
+                                                                        phi_1810_ = type_18(_e1291, (_e1106 * _e1294), (_e1110 * _e1294), _e899);
                                                                     } else {
-                                                                        phi_1781_ = type_18();
+                                                                        phi_1810_ = type_18();
                                                                     }
-                                                                    let _e1252 = phi_1781_;
-                                                                    phi_1783_ = _e1252;
-                                                                    phi_1784_ = select(true, false, _e1246);
+                                                                    let _e1299 = phi_1810_;
+                                                                    phi_1812_ = _e1299;
+                                                                    phi_1813_ = select(true, false, _e1293);
                                                                 } else {
-                                                                    phi_1783_ = type_18();
-                                                                    phi_1784_ = true;
+                                                                    phi_1812_ = type_18();
+                                                                    phi_1813_ = true;
                                                                 }
-                                                                let _e1255 = phi_1783_;
-                                                                let _e1257 = phi_1784_;
-                                                                if _e1257 {
-                                                                    phi_1788_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1302 = phi_1812_;
+                                                                let _e1304 = phi_1813_;
+                                                                if _e1304 {
+                                                                    phi_1817_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_1788_ = _e1255;
+                                                                    phi_1817_ = _e1302;
                                                                 }
-                                                                let _e1259 = phi_1788_;
-                                                                phi_1789_ = _e1259;
+                                                                let _e1306 = phi_1817_;
+                                                                phi_1818_ = _e1306;
                                                             }
-                                                            let _e1261 = phi_1789_;
-                                                            phi_1790_ = _e1261;
-                                                            phi_1791_ = _e1131;
+                                                            let _e1308 = phi_1818_;
+                                                            phi_1819_ = _e1308;
+                                                            phi_1820_ = _e1178;
                                                         }
-                                                        let _e1263 = phi_1790_;
-                                                        let _e1265 = phi_1791_;
-                                                        phi_1795_ = _e1263;
-                                                        phi_1796_ = _e1265;
+                                                        let _e1310 = phi_1819_;
+                                                        let _e1312 = phi_1820_;
+                                                        phi_1824_ = _e1310;
+                                                        phi_1825_ = _e1312;
                                                     }
-                                                    let _e1267 = phi_1795_;
-                                                    let _e1269 = phi_1796_;
-                                                    phi_1800_ = _e1267;
-                                                    phi_1801_ = _e1269;
+                                                    let _e1314 = phi_1824_;
+                                                    let _e1316 = phi_1825_;
+                                                    phi_1829_ = _e1314;
+                                                    phi_1830_ = _e1316;
                                                 } else {
-                                                    phi_1800_ = type_18();
-                                                    phi_1801_ = true;
+                                                    phi_1829_ = type_18();
+                                                    phi_1830_ = true;
                                                 }
-                                                let _e1271 = phi_1800_;
-                                                let _e1273 = phi_1801_;
-                                                if _e1273 {
-                                                    phi_1805_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1318 = phi_1829_;
+                                                let _e1320 = phi_1830_;
+                                                if _e1320 {
+                                                    phi_1834_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1805_ = _e1271;
+                                                    phi_1834_ = _e1318;
                                                 }
-                                                let _e1275 = phi_1805_;
-                                                if (_e1275.member_3 != 4294967295u) {
-                                                    if (_e896 != 4294967295u) {
-                                                        phi_1817_ = type_4(0u, 8u);
-                                                        phi_1820_ = _e1275;
+                                                let _e1322 = phi_1834_;
+                                                if (_e1322.member_3 != 4294967295u) {
+                                                    if (_e899 != 4294967295u) {
+                                                        phi_1846_ = type_4(0u, 8u);
+                                                        phi_1849_ = _e1322;
                                                         loop {
-                                                            let _e1280 = phi_1817_;
-                                                            let _e1282 = phi_1820_;
-                                                            if (_e1280.member < _e1280.member_1) {
-                                                                phi_1818_ = type_4((_e1280.member + 1u), _e1280.member_1);
-                                                                phi_1843_ = type_4(1u, _e1280.member);
+                                                            let _e1327 = phi_1846_;
+                                                            let _e1329 = phi_1849_;
+                                                            if (_e1327.member < _e1327.member_1) {
+                                                                phi_1847_ = type_4((_e1327.member + 1u), _e1327.member_1);
+                                                                phi_1872_ = type_4(1u, _e1327.member);
                                                             } else {
-                                                                phi_1818_ = _e1280;
-                                                                phi_1843_ = type_4(0u, type_4().member_1);
+                                                                phi_1847_ = _e1327;
+                                                                phi_1872_ = type_4(0u, type_4().member_1);
                                                             }
-                                                            let _e1295 = phi_1818_;
-                                                            let _e1297 = phi_1843_;
-                                                            let _e1301 = (bitcast<i32>(_e1297.member) != 0i);
-                                                            if _e1301 {
-                                                                let _e1302 = (_e1297.member_1 < 8u);
-                                                                if _e1302 {
+                                                            let _e1342 = phi_1847_;
+                                                            let _e1344 = phi_1872_;
+                                                            let _e1348 = (bitcast<i32>(_e1344.member) != 0i);
+                                                            if _e1348 {
+                                                                let _e1349 = (_e1344.member_1 < 8u);
+                                                                if _e1349 {
                                                                 } else {
-                                                                    phi_3182_ = true;
+                                                                    phi_3168_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1307 = local_11[_e1297.member_1].member;
-                                                                if (_e1282.member < _e1307) {
-                                                                    phi_1876_ = true;
+                                                                let _e1354 = local_7[_e1344.member_1].member;
+                                                                if (_e1329.member < _e1354) {
+                                                                    phi_1905_ = true;
                                                                 } else {
-                                                                    let _e1309 = local_11[_e1297.member_1].member;
-                                                                    if (_e1282.member == _e1309) {
-                                                                        let _e1314 = local_11[_e1297.member_1].member_3;
-                                                                        phi_1875_ = (_e1282.member_3 < _e1314);
+                                                                    let _e1356 = local_7[_e1344.member_1].member;
+                                                                    if (_e1329.member == _e1356) {
+                                                                        let _e1361 = local_7[_e1344.member_1].member_3;
+                                                                        phi_1904_ = (_e1329.member_3 < _e1361);
                                                                     } else {
-                                                                        phi_1875_ = false;
+                                                                        phi_1904_ = false;
                                                                     }
-                                                                    let _e1317 = phi_1875_;
-                                                                    phi_1876_ = _e1317;
+                                                                    let _e1364 = phi_1904_;
+                                                                    phi_1905_ = _e1364;
                                                                 }
-                                                                let _e1319 = phi_1876_;
-                                                                if _e1319 {
-                                                                    if _e1302 {
+                                                                let _e1366 = phi_1905_;
+                                                                if _e1366 {
+                                                                    if _e1349 {
                                                                     } else {
-                                                                        phi_3182_ = true;
+                                                                        phi_3168_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1320 = local_11[_e1297.member_1];
-                                                                    local_11[_e1297.member_1] = type_18(_e1282.member, _e1282.member_1, _e1282.member_2, _e1282.member_3);
-                                                                    phi_1897_ = type_18(_e1320.member, _e1320.member_1, _e1320.member_2, _e1320.member_3);
+                                                                    let _e1367 = local_7[_e1344.member_1];
+                                                                    local_7[_e1344.member_1] = type_18(_e1329.member, _e1329.member_1, _e1329.member_2, _e1329.member_3);
+                                                                    phi_1926_ = type_18(_e1367.member, _e1367.member_1, _e1367.member_2, _e1367.member_3);
                                                                 } else {
-                                                                    phi_1897_ = _e1282;
+                                                                    phi_1926_ = _e1329;
                                                                 }
-                                                                let _e1331 = phi_1897_;
-                                                                phi_1821_ = _e1331;
+                                                                let _e1378 = phi_1926_;
+                                                                phi_1850_ = _e1378;
                                                             } else {
-                                                                phi_1821_ = type_18();
+                                                                phi_1850_ = type_18();
                                                             }
-                                                            let _e1333 = phi_1821_;
+                                                            let _e1380 = phi_1850_;
                                                             continue;
                                                             continuing {
-                                                                phi_1817_ = _e1295;
-                                                                phi_1820_ = _e1333;
-                                                                phi_3182_ = _e993;
-                                                                break if !(_e1301);
+                                                                phi_1846_ = _e1342;
+                                                                phi_1849_ = _e1380;
+                                                                phi_3168_ = _e869;
+                                                                break if !(_e1348);
                                                             }
                                                         }
-                                                        let _e1336 = phi_3182_;
-                                                        phi_3330_ = _e856;
-                                                        phi_3241_ = _e1336;
-                                                        if _e1336 {
+                                                        let _e1383 = phi_3168_;
+                                                        phi_3414_ = _e871;
+                                                        phi_3300_ = _e1383;
+                                                        if _e1383 {
                                                             break;
                                                         }
-                                                        let _e1339 = local_11[7u].member_3;
-                                                        if (_e1339 != 4294967295u) {
-                                                            let _e1343 = local_11[7u].member;
-                                                            phi_3393_ = _e1343;
+                                                        let _e1386 = local_7[7u].member_3;
+                                                        if (_e1386 != 4294967295u) {
+                                                            let _e1390 = local_7[7u].member;
+                                                            phi_3477_ = _e1390;
                                                         } else {
-                                                            phi_3393_ = _e856;
+                                                            phi_3477_ = _e871;
                                                         }
-                                                        let _e1345 = phi_3393_;
-                                                        phi_3392_ = _e1345;
-                                                        phi_3244_ = _e1336;
+                                                        let _e1392 = phi_3477_;
+                                                        phi_3476_ = _e1392;
+                                                        phi_3303_ = _e1383;
                                                     } else {
-                                                        phi_3392_ = _e856;
-                                                        phi_3244_ = _e993;
+                                                        phi_3476_ = _e871;
+                                                        phi_3303_ = _e869;
                                                     }
-                                                    let _e1347 = phi_3392_;
-                                                    let _e1349 = phi_3244_;
-                                                    phi_3391_ = _e1347;
-                                                    phi_3243_ = _e1349;
+                                                    let _e1394 = phi_3476_;
+                                                    let _e1396 = phi_3303_;
+                                                    phi_3475_ = _e1394;
+                                                    phi_3302_ = _e1396;
                                                 } else {
-                                                    phi_3391_ = _e856;
-                                                    phi_3243_ = _e993;
+                                                    phi_3475_ = _e871;
+                                                    phi_3302_ = _e869;
                                                 }
-                                                let _e1351 = phi_3391_;
-                                                let _e1353 = phi_3243_;
-                                                phi_3390_ = _e1351;
-                                                phi_3242_ = _e1353;
+                                                let _e1398 = phi_3475_;
+                                                let _e1400 = phi_3302_;
+                                                phi_3474_ = _e1398;
+                                                phi_3301_ = _e1400;
                                             } else {
-                                                phi_3390_ = _e856;
-                                                phi_3242_ = _e858;
+                                                phi_3474_ = _e871;
+                                                phi_3301_ = _e869;
                                             }
-                                            let _e1355 = phi_3390_;
-                                            let _e1357 = phi_3242_;
+                                            let _e1402 = phi_3474_;
+                                            let _e1404 = phi_3301_;
                                             continue;
                                             continuing {
-                                                phi_3177_ = _e1355;
-                                                phi_3163_ = _e1357;
-                                                phi_977_ = _e873;
-                                                phi_3330_ = _e1355;
-                                                phi_3241_ = _e1357;
-                                                break if !(_e879);
+                                                phi_3195_ = _e1404;
+                                                phi_3167_ = _e1402;
+                                                phi_957_ = _e886;
+                                                phi_3414_ = _e1402;
+                                                phi_3300_ = _e1404;
+                                                break if !(_e892);
                                             }
                                         }
-                                        let _e1360 = phi_3330_;
-                                        let _e1362 = phi_3241_;
-                                        phi_3246_ = _e1362;
-                                        if _e1362 {
+                                        let _e1407 = phi_3414_;
+                                        let _e1409 = phi_3300_;
+                                        phi_3305_ = _e1409;
+                                        if _e1409 {
                                             break;
                                         }
-                                        phi_3295_ = _e1360;
-                                        phi_3250_ = _e1362;
-                                        phi_2791_ = _e528;
-                                        phi_2792_ = false;
-                                        phi_2793_ = _e532;
+                                        phi_3379_ = _e1407;
+                                        phi_3309_ = _e1409;
+                                        phi_2887_ = _e513;
+                                        phi_2888_ = false;
+                                        phi_2889_ = _e517;
                                     } else {
-                                        local_10 = array<f32, 3>(_e528.member.member[0], _e528.member.member[1], _e528.member.member[2]);
-                                        local_9 = array<f32, 3>(_e528.member.member_1[0], _e528.member.member_1[1], _e528.member.member_1[2]);
-                                        let _e552 = (_e528.member_1 < _e94);
-                                        if _e552 {
-                                            if _e552 {
+                                        let _e527 = (_e513.member_1 < _e79);
+                                        if _e527 {
+                                            if _e527 {
                                             } else {
-                                                phi_3246_ = true;
+                                                phi_3305_ = true;
                                                 break;
                                             }
-                                            let _e554 = global_4.member[_e528.member_1];
-                                            phi_1942_ = _e554;
+                                            let _e529 = global_4.member[_e513.member_1];
+                                            phi_1956_ = _e529;
                                         } else {
-                                            phi_1942_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1956_ = type_39(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e556 = phi_1942_;
-                                        let _e558 = array<u32, 3>(_e257, _e256, _e258);
-                                        local_18 = _e558;
-                                        local_14 = array<f32, 3>(0f, 0f, 0f);
-                                        local_13 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_1951_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e560 = phi_1951_;
-                                            if (_e560.member < _e560.member_1) {
-                                                phi_1952_ = type_4((_e560.member + 1u), _e560.member_1);
-                                                phi_1975_ = type_4(1u, _e560.member);
+                                        let _e531 = phi_1956_;
+                                        let _e546 = ((10u * _e242) & 31u);
+                                        let _e549 = ((_e531.member[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e554 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e114));
+                                        let _e560 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e549) * _e554)) ^ _e114)));
+                                        let _e564 = select(select(_e513.member.member_1[0], _e560, (_e560 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e549 == 1023u));
+                                        let _e566 = ((10u * _e241) & 31u);
+                                        let _e569 = ((_e531.member[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e574 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e114));
+                                        let _e580 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e569) * _e574)) ^ _e114)));
+                                        let _e584 = select(select(_e513.member.member_1[1], _e580, (_e580 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e569 == 1023u));
+                                        let _e586 = ((10u * _e243) & 31u);
+                                        let _e589 = ((_e531.member[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e594 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e114));
+                                        let _e600 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e589) * _e594)) ^ _e114)));
+                                        let _e604 = select(select(_e513.member.member_1[2], _e600, (_e600 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e589 == 1023u));
+                                        let _e607 = ((_e531.member[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e613 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e607) * _e554)) ^ _e114)));
+                                        let _e617 = select(select(_e513.member.member_1[0], _e613, (_e613 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e607 == 1023u));
+                                        let _e620 = ((_e531.member[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e626 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e620) * _e574)) ^ _e114)));
+                                        let _e630 = select(select(_e513.member.member_1[1], _e626, (_e626 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e620 == 1023u));
+                                        let _e633 = ((_e531.member[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e639 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e633) * _e594)) ^ _e114)));
+                                        let _e643 = select(select(_e513.member.member_1[2], _e639, (_e639 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e633 == 1023u));
+                                        let _e649 = ((_e531.member_1[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e655 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e554)) ^ _e114)));
+                                        let _e659 = select(select(_e513.member.member_1[0], _e655, (_e655 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e649 == 1023u));
+                                        let _e662 = ((_e531.member_1[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e668 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e662) * _e574)) ^ _e114)));
+                                        let _e672 = select(select(_e513.member.member_1[1], _e668, (_e668 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e662 == 1023u));
+                                        let _e675 = ((_e531.member_1[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e681 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e675) * _e594)) ^ _e114)));
+                                        let _e685 = select(select(_e513.member.member_1[2], _e681, (_e681 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e675 == 1023u));
+                                        let _e688 = ((_e531.member_1[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e694 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e688) * _e554)) ^ _e114)));
+                                        let _e698 = select(select(_e513.member.member_1[0], _e694, (_e694 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e688 == 1023u));
+                                        let _e701 = ((_e531.member_1[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e707 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e701) * _e574)) ^ _e114)));
+                                        let _e711 = select(select(_e513.member.member_1[1], _e707, (_e707 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e701 == 1023u));
+                                        let _e714 = ((_e531.member_1[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e720 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e594)) ^ _e114)));
+                                        let _e724 = select(select(_e513.member.member_1[2], _e720, (_e720 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e714 == 1023u));
+                                        let _e729 = type_52(type_44(array<f32, 3>(_e564, _e584, _e604), array<f32, 3>(_e617, _e630, _e643)), _e531.member_2);
+                                        let _e734 = type_52(type_44(array<f32, 3>(_e659, _e672, _e685), array<f32, 3>(_e698, _e711, _e724)), _e531.member_3);
+                                        let _e739 = ((_e564 - _e314) * _e319);
+                                        let _e740 = ((_e659 - _e314) * _e319);
+                                        let _e741 = ((_e617 - _e315) * _e319);
+                                        let _e742 = ((_e698 - _e315) * _e319);
+                                        let _e747 = ((_e584 - _e352) * _e357);
+                                        let _e748 = ((_e672 - _e352) * _e357);
+                                        let _e749 = ((_e630 - _e353) * _e357);
+                                        let _e750 = ((_e711 - _e353) * _e357);
+                                        let _e755 = ((_e604 - _e390) * _e395);
+                                        let _e756 = ((_e685 - _e390) * _e395);
+                                        let _e757 = ((_e643 - _e391) * _e395);
+                                        let _e758 = ((_e724 - _e391) * _e395);
+                                        let _e760 = select(_e757, _e755, (_e755 < _e757));
+                                        let _e762 = select(_e758, _e756, (_e756 < _e758));
+                                        let _e764 = select(_e757, _e755, (_e755 > _e757));
+                                        let _e766 = select(_e758, _e756, (_e756 > _e758));
+                                        let _e768 = select(_e741, _e739, (_e739 < _e741));
+                                        let _e770 = select(_e742, _e740, (_e740 < _e742));
+                                        let _e772 = select(_e749, _e747, (_e747 < _e749));
+                                        let _e774 = select(_e750, _e748, (_e748 < _e750));
+                                        let _e776 = select(_e772, _e768, (_e768 > _e772));
+                                        let _e778 = select(_e774, _e770, (_e770 > _e774));
+                                        let _e780 = select(_e760, _e776, (_e776 > _e760));
+                                        let _e782 = select(_e762, _e778, (_e778 > _e762));
+                                        let _e784 = select(_e741, _e739, (_e739 > _e741));
+                                        let _e786 = select(_e742, _e740, (_e740 > _e742));
+                                        let _e788 = select(_e749, _e747, (_e747 > _e749));
+                                        let _e790 = select(_e750, _e748, (_e748 > _e750));
+                                        let _e792 = select(_e788, _e784, (_e784 < _e788));
+                                        let _e794 = select(_e790, _e786, (_e786 < _e790));
+                                        let _e799 = -(_e760);
+                                        let _e800 = -(_e762);
+                                        let _e807 = (select(_e764, _e792, (_e792 < _e764)) + (select(_e799, _e764, (_e764 > _e799)) * 0.0000019073523f));
+                                        let _e808 = (select(_e766, _e794, (_e794 < _e766)) + (select(_e800, _e766, (_e766 > _e800)) * 0.0000019073523f));
+                                        let _e810 = select(_e442, _e780, (_e780 > _e442));
+                                        let _e812 = select(_e442, _e782, (_e782 > _e442));
+                                        let _e817 = (_e810 <= select(_e475, _e807, (_e807 < _e475)));
+                                        let _e818 = (_e812 <= select(_e475, _e808, (_e808 < _e475)));
+                                        let _e819 = (_e810 <= _e812);
+                                        if _e817 {
+                                            if _e818 {
+                                                if _e819 {
+                                                    phi_2789_ = _e734;
+                                                } else {
+                                                    phi_2789_ = _e729;
+                                                }
+                                                let _e821 = phi_2789_;
+                                                let _e829 = (_e517 % 128u);
+                                                let _e830 = (_e829 < 128u);
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e829] = _e821.member_1;
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e829] = _e821.member.member[0];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e829] = _e821.member.member[1];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e829] = _e821.member.member[2];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e829] = _e821.member.member_1[0];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_1[_e829] = _e821.member.member_1[1];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local[_e829] = _e821.member.member_1[2];
+                                                if _e830 {
+                                                } else {
+                                                    phi_3305_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e829] = select(_e812, _e810, (_e810 > _e812));
+                                                if _e819 {
+                                                    phi_2866_ = _e729;
+                                                } else {
+                                                    phi_2866_ = _e734;
+                                                }
+                                                let _e847 = phi_2866_;
+                                                phi_2867_ = _e847;
+                                                phi_2868_ = (_e517 + 1u);
                                             } else {
-                                                phi_1952_ = _e560;
-                                                phi_1975_ = type_4(0u, type_4().member_1);
+                                                phi_2867_ = type_52();
+                                                phi_2868_ = u32();
                                             }
-                                            let _e573 = phi_1952_;
-                                            let _e575 = phi_1975_;
-                                            let _e579 = (bitcast<i32>(_e575.member) != 0i);
-                                            if _e579 {
-                                                let _e580 = (_e575.member_1 < 3u);
-                                                if _e580 {
-                                                } else {
-                                                    phi_3068_ = true;
-                                                    break;
-                                                }
-                                                let _e582 = local_18[_e575.member_1];
-                                                if _e580 {
-                                                } else {
-                                                    phi_3068_ = true;
-                                                    break;
-                                                }
-                                                let _e584 = local_10[_e575.member_1];
-                                                if _e580 {
-                                                } else {
-                                                    phi_3068_ = true;
-                                                    break;
-                                                }
-                                                let _e586 = local_9[_e575.member_1];
-                                                let _e589 = ((10u * _e582) & 31u);
-                                                let _e592 = ((_e556.member[0] >> bitcast<u32>(_e589)) & 1023u);
-                                                let _e597 = bitcast<f32>((bitcast<u32>(((_e586 - _e584) * 0.0009775171f)) ^ _e129));
-                                                let _e603 = (_e584 + bitcast<f32>((bitcast<u32>((f32(_e592) * _e597)) ^ _e129)));
-                                                if _e580 {
-                                                } else {
-                                                    phi_3068_ = true;
-                                                    break;
-                                                }
-                                                local_14[_e575.member_1] = select(select(_e586, _e603, (_e603 < _e586)), _e586, (_e592 == 1023u));
-                                                let _e612 = ((_e556.member[1] >> bitcast<u32>(_e589)) & 1023u);
-                                                let _e618 = (_e584 + bitcast<f32>((bitcast<u32>((f32(_e612) * _e597)) ^ _e129)));
-                                                if _e580 {
-                                                } else {
-                                                    phi_3068_ = true;
-                                                    break;
-                                                }
-                                                local_13[_e575.member_1] = select(select(_e586, _e618, (_e618 < _e586)), _e586, (_e612 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_1951_ = _e573;
-                                                phi_3068_ = _e488;
-                                                break if !(_e579);
-                                            }
-                                        }
-                                        let _e626 = phi_3068_;
-                                        phi_3246_ = _e626;
-                                        if _e626 {
-                                            break;
-                                        }
-                                        let _e627 = local_13;
-                                        let _e628 = local_14;
-                                        local_17 = _e558;
-                                        local_16 = array<f32, 3>(0f, 0f, 0f);
-                                        local_15 = array<f32, 3>(0f, 0f, 0f);
-                                        phi_2105_ = type_4(0u, 3u);
-                                        loop {
-                                            let _e637 = phi_2105_;
-                                            if (_e637.member < _e637.member_1) {
-                                                phi_2106_ = type_4((_e637.member + 1u), _e637.member_1);
-                                                phi_2129_ = type_4(1u, _e637.member);
-                                            } else {
-                                                phi_2106_ = _e637;
-                                                phi_2129_ = type_4(0u, type_4().member_1);
-                                            }
-                                            let _e650 = phi_2106_;
-                                            let _e652 = phi_2129_;
-                                            let _e656 = (bitcast<i32>(_e652.member) != 0i);
-                                            if _e656 {
-                                                let _e657 = (_e652.member_1 < 3u);
-                                                if _e657 {
-                                                } else {
-                                                    phi_3128_ = true;
-                                                    break;
-                                                }
-                                                let _e659 = local_17[_e652.member_1];
-                                                if _e657 {
-                                                } else {
-                                                    phi_3128_ = true;
-                                                    break;
-                                                }
-                                                let _e661 = local_10[_e652.member_1];
-                                                if _e657 {
-                                                } else {
-                                                    phi_3128_ = true;
-                                                    break;
-                                                }
-                                                let _e663 = local_9[_e652.member_1];
-                                                let _e666 = ((10u * _e659) & 31u);
-                                                let _e669 = ((_e556.member_1[0] >> bitcast<u32>(_e666)) & 1023u);
-                                                let _e674 = bitcast<f32>((bitcast<u32>(((_e663 - _e661) * 0.0009775171f)) ^ _e129));
-                                                let _e680 = (_e661 + bitcast<f32>((bitcast<u32>((f32(_e669) * _e674)) ^ _e129)));
-                                                if _e657 {
-                                                } else {
-                                                    phi_3128_ = true;
-                                                    break;
-                                                }
-                                                local_16[_e652.member_1] = select(select(_e663, _e680, (_e680 < _e663)), _e663, (_e669 == 1023u));
-                                                let _e689 = ((_e556.member_1[1] >> bitcast<u32>(_e666)) & 1023u);
-                                                let _e695 = (_e661 + bitcast<f32>((bitcast<u32>((f32(_e689) * _e674)) ^ _e129)));
-                                                if _e657 {
-                                                } else {
-                                                    phi_3128_ = true;
-                                                    break;
-                                                }
-                                                local_15[_e652.member_1] = select(select(_e663, _e695, (_e695 < _e663)), _e663, (_e689 == 1023u));
-                                            }
-                                            continue;
-                                            continuing {
-                                                phi_2105_ = _e650;
-                                                phi_3128_ = _e626;
-                                                break if !(_e656);
-                                            }
-                                        }
-                                        let _e703 = phi_3128_;
-                                        phi_3246_ = _e703;
-                                        if _e703 {
-                                            break;
-                                        }
-                                        let _e704 = local_15;
-                                        let _e705 = local_16;
-                                        let _e716 = type_53(type_45(array<f32, 3>(_e628[0], _e628[1], _e628[2]), array<f32, 3>(_e627[0], _e627[1], _e627[2])), _e556.member_2);
-                                        let _e721 = type_53(type_45(array<f32, 3>(_e705[0], _e705[1], _e705[2]), array<f32, 3>(_e704[0], _e704[1], _e704[2])), _e556.member_3);
-                                        let _e726 = ((_e628[0] - _e329) * _e334);
-                                        let _e727 = ((_e705[0] - _e329) * _e334);
-                                        let _e728 = ((_e627[0] - _e330) * _e334);
-                                        let _e729 = ((_e704[0] - _e330) * _e334);
-                                        let _e734 = ((_e628[1] - _e367) * _e372);
-                                        let _e735 = ((_e705[1] - _e367) * _e372);
-                                        let _e736 = ((_e627[1] - _e368) * _e372);
-                                        let _e737 = ((_e704[1] - _e368) * _e372);
-                                        let _e742 = ((_e628[2] - _e405) * _e410);
-                                        let _e743 = ((_e705[2] - _e405) * _e410);
-                                        let _e744 = ((_e627[2] - _e406) * _e410);
-                                        let _e745 = ((_e704[2] - _e406) * _e410);
-                                        let _e747 = select(_e744, _e742, (_e742 < _e744));
-                                        let _e749 = select(_e745, _e743, (_e743 < _e745));
-                                        let _e751 = select(_e744, _e742, (_e742 > _e744));
-                                        let _e753 = select(_e745, _e743, (_e743 > _e745));
-                                        let _e755 = select(_e728, _e726, (_e726 < _e728));
-                                        let _e757 = select(_e729, _e727, (_e727 < _e729));
-                                        let _e759 = select(_e736, _e734, (_e734 < _e736));
-                                        let _e761 = select(_e737, _e735, (_e735 < _e737));
-                                        let _e763 = select(_e759, _e755, (_e755 > _e759));
-                                        let _e765 = select(_e761, _e757, (_e757 > _e761));
-                                        let _e767 = select(_e747, _e763, (_e763 > _e747));
-                                        let _e769 = select(_e749, _e765, (_e765 > _e749));
-                                        let _e771 = select(_e728, _e726, (_e726 > _e728));
-                                        let _e773 = select(_e729, _e727, (_e727 > _e729));
-                                        let _e775 = select(_e736, _e734, (_e734 > _e736));
-                                        let _e777 = select(_e737, _e735, (_e735 > _e737));
-                                        let _e779 = select(_e775, _e771, (_e771 < _e775));
-                                        let _e781 = select(_e777, _e773, (_e773 < _e777));
-                                        let _e786 = -(_e747);
-                                        let _e787 = -(_e749);
-                                        let _e794 = (select(_e751, _e779, (_e779 < _e751)) + (select(_e786, _e751, (_e751 > _e786)) * 0.0000019073523f));
-                                        let _e795 = (select(_e753, _e781, (_e781 < _e753)) + (select(_e787, _e753, (_e753 > _e787)) * 0.0000019073523f));
-                                        let _e797 = select(_e457, _e767, (_e767 > _e457));
-                                        let _e799 = select(_e457, _e769, (_e769 > _e457));
-                                        let _e804 = (_e797 <= select(_e490, _e794, (_e794 < _e490)));
-                                        let _e805 = (_e799 <= select(_e490, _e795, (_e795 < _e490)));
-                                        let _e806 = (_e797 <= _e799);
-                                        if _e804 {
-                                            if _e805 {
-                                                if _e806 {
-                                                    phi_2693_ = _e721;
-                                                } else {
-                                                    phi_2693_ = _e716;
-                                                }
-                                                let _e808 = phi_2693_;
-                                                let _e816 = (_e532 % 128u);
-                                                let _e817 = (_e816 < 128u);
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e816] = _e808.member_1;
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e816] = _e808.member.member[0];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e816] = _e808.member.member[1];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e816] = _e808.member.member[2];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e816] = _e808.member.member_1[0];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_1[_e816] = _e808.member.member_1[1];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local[_e816] = _e808.member.member_1[2];
-                                                if _e817 {
-                                                } else {
-                                                    phi_3246_ = true;
-                                                    break;
-                                                }
-                                                local_12[_e816] = select(_e799, _e797, (_e797 > _e799));
-                                                if _e806 {
-                                                    phi_2770_ = _e716;
-                                                } else {
-                                                    phi_2770_ = _e721;
-                                                }
-                                                let _e834 = phi_2770_;
-                                                phi_2771_ = _e834;
-                                                phi_2772_ = (_e532 + 1u);
-                                            } else {
-                                                phi_2771_ = type_53();
-                                                phi_2772_ = u32();
-                                            }
-                                            let _e836 = phi_2771_;
-                                            let _e838 = phi_2772_;
-                                            phi_2774_ = _e836;
-                                            phi_2775_ = _e838;
-                                            phi_2776_ = select(true, false, _e805);
+                                            let _e849 = phi_2867_;
+                                            let _e851 = phi_2868_;
+                                            phi_2870_ = _e849;
+                                            phi_2871_ = _e851;
+                                            phi_2872_ = select(true, false, _e818);
                                         } else {
-                                            phi_2774_ = type_53();
-                                            phi_2775_ = u32();
-                                            phi_2776_ = true;
+                                            phi_2870_ = type_52();
+                                            phi_2871_ = u32();
+                                            phi_2872_ = true;
                                         }
-                                        let _e841 = phi_2774_;
-                                        let _e843 = phi_2775_;
-                                        let _e845 = phi_2776_;
-                                        if _e845 {
-                                            if _e804 {
-                                                phi_2783_ = _e716;
+                                        let _e854 = phi_2870_;
+                                        let _e856 = phi_2871_;
+                                        let _e858 = phi_2872_;
+                                        if _e858 {
+                                            if _e817 {
+                                                phi_2879_ = _e729;
                                             } else {
-                                                phi_2783_ = _e721;
+                                                phi_2879_ = _e734;
                                             }
-                                            let _e847 = phi_2783_;
-                                            phi_2788_ = _e847;
-                                            phi_2789_ = select(_e805, true, _e804);
+                                            let _e860 = phi_2879_;
+                                            phi_2884_ = _e860;
+                                            phi_2885_ = select(_e818, true, _e817);
                                         } else {
-                                            phi_2788_ = _e841;
-                                            phi_2789_ = _e530;
+                                            phi_2884_ = _e854;
+                                            phi_2885_ = _e515;
                                         }
-                                        let _e850 = phi_2788_;
-                                        let _e852 = phi_2789_;
-                                        phi_3295_ = _e490;
-                                        phi_3250_ = _e703;
-                                        phi_2791_ = _e850;
-                                        phi_2792_ = _e852;
-                                        phi_2793_ = select(_e843, _e532, _e845);
+                                        let _e863 = phi_2884_;
+                                        let _e865 = phi_2885_;
+                                        phi_3379_ = _e475;
+                                        phi_3309_ = _e473;
+                                        phi_2887_ = _e863;
+                                        phi_2888_ = _e865;
+                                        phi_2889_ = select(_e856, _e517, _e858);
                                     }
-                                    let _e1364 = phi_3295_;
-                                    let _e1366 = phi_3250_;
-                                    let _e1368 = phi_2791_;
-                                    let _e1370 = phi_2792_;
-                                    let _e1372 = phi_2793_;
-                                    phi_3294_ = _e1364;
-                                    phi_3249_ = _e1366;
-                                    phi_2794_ = _e1368;
-                                    phi_2795_ = (_e494 - 1u);
-                                    phi_2796_ = _e1370;
-                                    phi_2797_ = _e1372;
+                                    let _e1411 = phi_3379_;
+                                    let _e1413 = phi_3309_;
+                                    let _e1415 = phi_2887_;
+                                    let _e1417 = phi_2888_;
+                                    let _e1419 = phi_2889_;
+                                    phi_3378_ = _e1411;
+                                    phi_3308_ = _e1413;
+                                    phi_2890_ = _e1415;
+                                    phi_2891_ = (_e479 - 1u);
+                                    phi_2892_ = _e1417;
+                                    phi_2893_ = _e1419;
                                 } else {
-                                    phi_3294_ = _e490;
-                                    phi_3249_ = _e488;
-                                    phi_2794_ = _e528;
-                                    phi_2795_ = _e494;
-                                    phi_2796_ = _e530;
-                                    phi_2797_ = _e532;
+                                    phi_3378_ = _e475;
+                                    phi_3308_ = _e473;
+                                    phi_2890_ = _e513;
+                                    phi_2891_ = _e479;
+                                    phi_2892_ = _e515;
+                                    phi_2893_ = _e517;
                                 }
-                                let _e1374 = phi_3294_;
-                                let _e1376 = phi_3249_;
-                                let _e1378 = phi_2794_;
-                                let _e1380 = phi_2795_;
-                                let _e1382 = phi_2796_;
-                                let _e1384 = phi_2797_;
-                                phi_3293_ = _e1374;
-                                phi_3248_ = _e1376;
-                                phi_2798_ = _e1378;
-                                phi_2799_ = _e1380;
-                                phi_2800_ = _e1382;
-                                phi_2801_ = _e1384;
+                                let _e1421 = phi_3378_;
+                                let _e1423 = phi_3308_;
+                                let _e1425 = phi_2890_;
+                                let _e1427 = phi_2891_;
+                                let _e1429 = phi_2892_;
+                                let _e1431 = phi_2893_;
+                                phi_3377_ = _e1421;
+                                phi_3307_ = _e1423;
+                                phi_2894_ = _e1425;
+                                phi_2895_ = _e1427;
+                                phi_2896_ = _e1429;
+                                phi_2897_ = _e1431;
                             } else {
-                                phi_3293_ = _e490;
-                                phi_3248_ = _e488;
-                                phi_2798_ = type_53();
-                                phi_2799_ = u32();
-                                phi_2800_ = bool();
-                                phi_2801_ = u32();
+                                phi_3377_ = _e475;
+                                phi_3307_ = _e473;
+                                phi_2894_ = type_52();
+                                phi_2895_ = u32();
+                                phi_2896_ = bool();
+                                phi_2897_ = u32();
                             }
-                            let _e1386 = phi_3293_;
-                            let _e1388 = phi_3248_;
-                            let _e1390 = phi_2798_;
-                            let _e1392 = phi_2799_;
-                            let _e1394 = phi_2800_;
-                            let _e1396 = phi_2801_;
-                            phi_3292_ = _e1386;
-                            phi_3247_ = _e1388;
-                            phi_852_ = _e1390;
-                            phi_855_ = _e1392;
-                            phi_857_ = _e1394;
-                            phi_859_ = _e1396;
-                            phi_2802_ = _e502;
+                            let _e1433 = phi_3377_;
+                            let _e1435 = phi_3307_;
+                            let _e1437 = phi_2894_;
+                            let _e1439 = phi_2895_;
+                            let _e1441 = phi_2896_;
+                            let _e1443 = phi_2897_;
+                            phi_3376_ = _e1433;
+                            phi_3306_ = _e1435;
+                            phi_832_ = _e1437;
+                            phi_835_ = _e1439;
+                            phi_837_ = _e1441;
+                            phi_839_ = _e1443;
+                            phi_2898_ = _e487;
                         } else {
-                            phi_3292_ = _e490;
-                            phi_3247_ = _e488;
-                            phi_852_ = type_53();
-                            phi_855_ = u32();
-                            phi_857_ = bool();
-                            phi_859_ = u32();
-                            phi_2802_ = false;
+                            phi_3376_ = _e475;
+                            phi_3306_ = _e473;
+                            phi_832_ = type_52();
+                            phi_835_ = u32();
+                            phi_837_ = bool();
+                            phi_839_ = u32();
+                            phi_2898_ = false;
                         }
-                        let _e1398 = phi_3292_;
-                        let _e1400 = phi_3247_;
-                        let _e1402 = phi_852_;
-                        let _e1404 = phi_855_;
-                        let _e1406 = phi_857_;
-                        let _e1408 = phi_859_;
-                        let _e1410 = phi_2802_;
+                        let _e1445 = phi_3376_;
+                        let _e1447 = phi_3306_;
+                        let _e1449 = phi_832_;
+                        let _e1451 = phi_835_;
+                        let _e1453 = phi_837_;
+                        let _e1455 = phi_839_;
+                        let _e1457 = phi_2898_;
                         continue;
                         continuing {
-                            phi_3075_ = _e1400;
-                            phi_3066_ = _e1398;
-                            phi_851_ = _e1402;
-                            phi_854_ = _e1404;
-                            phi_856_ = _e1406;
-                            phi_858_ = _e1408;
-                            phi_3246_ = _e1400;
-                            break if !(_e1410);
+                            phi_3198_ = _e1447;
+                            phi_3118_ = _e1445;
+                            phi_831_ = _e1449;
+                            phi_834_ = _e1451;
+                            phi_836_ = _e1453;
+                            phi_838_ = _e1455;
+                            phi_3305_ = _e1447;
+                            break if !(_e1457);
                         }
                     }
-                    let _e1413 = phi_3246_;
-                    if _e1413 {
+                    let _e1460 = phi_3305_;
+                    if _e1460 {
                         break;
                     }
-                    phi_2809_ = type_4(0u, 8u);
+                    phi_2905_ = type_4(0u, 8u);
                     loop {
-                        let _e1415 = phi_2809_;
-                        if (_e1415.member < _e1415.member_1) {
-                            phi_2810_ = type_4((_e1415.member + 1u), _e1415.member_1);
-                            phi_2833_ = type_4(1u, _e1415.member);
+                        let _e1462 = phi_2905_;
+                        if (_e1462.member < _e1462.member_1) {
+                            phi_2906_ = type_4((_e1462.member + 1u), _e1462.member_1);
+                            phi_2929_ = type_4(1u, _e1462.member);
                         } else {
-                            phi_2810_ = _e1415;
-                            phi_2833_ = type_4(0u, type_4().member_1);
+                            phi_2906_ = _e1462;
+                            phi_2929_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1428 = phi_2810_;
-                        let _e1430 = phi_2833_;
-                        let _e1434 = (bitcast<i32>(_e1430.member) != 0i);
-                        if _e1434 {
-                            let _e1435 = (_e1430.member_1 < 8u);
-                            if _e1435 {
+                        let _e1475 = phi_2906_;
+                        let _e1477 = phi_2929_;
+                        let _e1481 = (bitcast<i32>(_e1477.member) != 0i);
+                        if _e1481 {
+                            let _e1482 = (_e1477.member_1 < 8u);
+                            if _e1482 {
                             } else {
-                                phi_3285_ = true;
+                                phi_3369_ = true;
                                 break;
                             }
-                            let _e1437 = local_11[_e1430.member_1];
-                            if (_e1437.member_3 != 4294967295u) {
-                                let _e1443 = -(_e424);
-                                let _e1444 = (_e1443 / 3i);
-                                let _e1451 = bitcast<f32>((bitcast<u32>((_e1444 + 127i)) << bitcast<u32>(23i)));
-                                let _e1459 = (((_e1437.member * _e1451) * _e1451) * bitcast<f32>((bitcast<u32>(((_e1443 - (2i * _e1444)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1461 = select(340282350000000000000000000000000000000f, _e1459, (_e1459 < 340282350000000000000000000000000000000f));
-                                phi_2899_ = type_18(select(-340282350000000000000000000000000000000f, _e1461, (_e1461 > -340282350000000000000000000000000000000f)), _e1437.member_1, _e1437.member_2, _e1437.member_3);
+                            let _e1484 = local_7[_e1477.member_1];
+                            if (_e1484.member_3 != 4294967295u) {
+                                let _e1490 = -(_e409);
+                                let _e1491 = (_e1490 / 3i);
+                                let _e1498 = bitcast<f32>((bitcast<u32>((_e1491 + 127i)) << bitcast<u32>(23i)));
+                                let _e1506 = (((_e1484.member * _e1498) * _e1498) * bitcast<f32>((bitcast<u32>(((_e1490 - (2i * _e1491)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1508 = select(340282350000000000000000000000000000000f, _e1506, (_e1506 < 340282350000000000000000000000000000000f));
+                                phi_2995_ = type_18(select(-340282350000000000000000000000000000000f, _e1508, (_e1508 > -340282350000000000000000000000000000000f)), _e1484.member_1, _e1484.member_2, _e1484.member_3);
                             } else {
-                                phi_2899_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2995_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1466 = phi_2899_;
-                            if _e1435 {
+                            let _e1513 = phi_2995_;
+                            if _e1482 {
                             } else {
-                                phi_3285_ = true;
+                                phi_3369_ = true;
                                 break;
                             }
-                            local_11[_e1430.member_1] = type_18(_e1466.member, _e1466.member_1, _e1466.member_2, _e1466.member_3);
+                            local_7[_e1477.member_1] = type_18(_e1513.member, _e1513.member_1, _e1513.member_2, _e1513.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2809_ = _e1428;
-                            phi_3285_ = _e1413;
-                            break if !(_e1434);
+                            phi_2905_ = _e1475;
+                            phi_3369_ = _e1460;
+                            break if !(_e1481);
                         }
                     }
-                    let _e1474 = phi_3285_;
-                    if _e1474 {
+                    let _e1521 = phi_3369_;
+                    if _e1521 {
                         break;
                     }
-                    let _e1475 = local_11;
-                    if _e145 {
+                    let _e1522 = local_7;
+                    if _e130 {
                     } else {
                         break;
                     }
-                    global_5.member[_e143] = array<type_18, 8>(type_18(_e1475[0].member, _e1475[0].member_1, _e1475[0].member_2, _e1475[0].member_3), type_18(_e1475[1].member, _e1475[1].member_1, _e1475[1].member_2, _e1475[1].member_3), type_18(_e1475[2].member, _e1475[2].member_1, _e1475[2].member_2, _e1475[2].member_3), type_18(_e1475[3].member, _e1475[3].member_1, _e1475[3].member_2, _e1475[3].member_3), type_18(_e1475[4].member, _e1475[4].member_1, _e1475[4].member_2, _e1475[4].member_3), type_18(_e1475[5].member, _e1475[5].member_1, _e1475[5].member_2, _e1475[5].member_3), type_18(_e1475[6].member, _e1475[6].member_1, _e1475[6].member_2, _e1475[6].member_3), type_18(_e1475[7].member, _e1475[7].member_1, _e1475[7].member_2, _e1475[7].member_3));
+                    global_5.member[_e128] = array<type_18, 8>(type_18(_e1522[0].member, _e1522[0].member_1, _e1522[0].member_2, _e1522[0].member_3), type_18(_e1522[1].member, _e1522[1].member_1, _e1522[1].member_2, _e1522[1].member_3), type_18(_e1522[2].member, _e1522[2].member_1, _e1522[2].member_2, _e1522[2].member_3), type_18(_e1522[3].member, _e1522[3].member_1, _e1522[3].member_2, _e1522[3].member_3), type_18(_e1522[4].member, _e1522[4].member_1, _e1522[4].member_2, _e1522[4].member_3), type_18(_e1522[5].member, _e1522[5].member_1, _e1522[5].member_2, _e1522[5].member_3), type_18(_e1522[6].member, _e1522[6].member_1, _e1522[6].member_2, _e1522[6].member_3), type_18(_e1522[7].member, _e1522[7].member_1, _e1522[7].member_2, _e1522[7].member_3));
                 }
             }
             break;

@@ -50,14 +50,14 @@ struct type_37 {
     member_1: vec4<f32>,
 }
 
-struct type_40 {
+struct type_39 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_43 {
+struct type_42 {
     member: type_25,
     member_1: f32,
 }
@@ -70,18 +70,18 @@ struct type_50 {
     member: array<i32>,
 }
 
-struct type_60 {
+struct type_57 {
     member: type_37,
     member_1: u32,
 }
 
-struct type_61 {
+struct type_58 {
     member: array<vec4<f32>, 3>,
-    member_1: type_60,
-    member_2: type_60,
+    member_1: type_57,
+    member_2: type_57,
 }
 
-struct type_68 {
+struct type_63 {
     member: array<atomic<u32>>,
 }
 
@@ -103,7 +103,7 @@ var<storage> global_7: type_32;
 @group(0) @binding(8) 
 var<storage, read_write> global_8: type_27;
 @group(0) @binding(9) 
-var<storage, read_write> global_9: type_68;
+var<storage, read_write> global_9: type_63;
 @group(0) @binding(4) 
 var<storage> global_10: type_4;
 
@@ -118,454 +118,460 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var local_10: array<u32, 3>;
-    var local_11: array<array<f32, 3>, 3>;
-    var local_12: array<f32, 4>;
-    var phi_340_: u32;
-    var phi_384_: i32;
-    var phi_408_: type_40;
-    var phi_514_: i32;
-    var phi_515_: i32;
+    var phi_327_: u32;
+    var phi_371_: i32;
+    var phi_395_: type_39;
+    var phi_501_: i32;
+    var phi_502_: i32;
+    var phi_512_: bool;
+    var phi_522_: u32;
+    var phi_523_: u32;
     var phi_525_: bool;
-    var phi_535_: u32;
-    var phi_536_: u32;
-    var phi_538_: bool;
-    var phi_543_: u32;
-    var phi_576_: i32;
-    var phi_594_: f32;
-    var phi_600_: f32;
-    var phi_611_: f32;
-    var phi_617_: f32;
-    var phi_640_: f32;
-    var phi_651_: f32;
-    var phi_660_: f32;
-    var phi_666_: f32;
-    var phi_677_: f32;
-    var phi_683_: f32;
-    var phi_706_: f32;
-    var phi_717_: f32;
-    var phi_726_: f32;
-    var phi_732_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_772_: f32;
-    var phi_783_: f32;
-    var phi_883_: f32;
-    var phi_884_: f32;
-    var phi_3997_: bool;
-    var phi_973_: type_43;
-    var phi_976_: type_60;
-    var phi_978_: u32;
-    var phi_980_: bool;
-    var phi_982_: u32;
-    var phi_993_: bool;
-    var phi_1079_: type_60;
-    var phi_1080_: bool;
-    var phi_1081_: u32;
-    var phi_2886_: u32;
-    var phi_2892_: u32;
-    var phi_3146_: u32;
-    var phi_3147_: u32;
-    var phi_3157_: u32;
-    var phi_3159_: u32;
-    var phi_3160_: bool;
-    var phi_3180_: u32;
-    var phi_3181_: u32;
-    var phi_3185_: type_61;
-    var phi_3529_: type_60;
-    var phi_3606_: type_60;
-    var phi_3607_: type_60;
-    var phi_3608_: u32;
-    var phi_3610_: type_60;
-    var phi_3611_: u32;
-    var phi_3612_: bool;
-    var phi_3621_: type_60;
-    var phi_3626_: type_60;
-    var phi_3627_: bool;
-    var phi_3994_: bool;
-    var phi_1100_: type_43;
-    var phi_1103_: type_8;
-    var phi_1104_: type_8;
-    var phi_1126_: type_8;
-    var phi_1167_: u32;
-    var phi_1173_: u32;
-    var phi_1183_: u32;
-    var phi_1199_: u32;
-    var phi_1236_: u32;
-    var phi_1242_: u32;
-    var phi_1252_: u32;
-    var phi_3979_: bool;
-    var phi_1268_: type_8;
-    var phi_1269_: type_8;
-    var phi_1292_: type_8;
-    var phi_1315_: u32;
-    var phi_1330_: u32;
-    var phi_1333_: type_8;
-    var phi_1334_: type_8;
-    var phi_1357_: type_8;
-    var phi_1423_: u32;
-    var phi_1403_: u32;
-    var phi_1404_: u32;
-    var phi_1427_: f32;
-    var phi_3972_: bool;
-    var phi_4055_: bool;
-    var phi_4054_: bool;
-    var phi_1927_: vec3<f32>;
-    var phi_1928_: vec3<f32>;
-    var phi_1959_: bool;
-    var phi_1968_: vec3<f32>;
-    var phi_2008_: type_25;
-    var phi_2010_: type_25;
-    var phi_2011_: bool;
-    var phi_2015_: type_25;
-    var phi_2016_: type_25;
-    var phi_2017_: type_25;
-    var phi_2018_: bool;
-    var phi_2022_: type_25;
-    var phi_2023_: bool;
-    var phi_2027_: type_25;
-    var phi_2028_: bool;
-    var phi_2032_: type_25;
-    var phi_2055_: u32;
-    var phi_2069_: i32;
-    var phi_2089_: vec3<f32>;
-    var phi_2090_: vec3<f32>;
-    var phi_2106_: vec3<f32>;
-    var phi_2107_: vec3<f32>;
-    var phi_2123_: vec3<f32>;
-    var phi_2124_: vec3<f32>;
-    var phi_2160_: vec3<f32>;
-    var phi_2342_: f32;
+    var phi_530_: u32;
+    var phi_562_: i32;
+    var phi_580_: f32;
+    var phi_586_: f32;
+    var phi_597_: f32;
+    var phi_603_: f32;
+    var phi_626_: f32;
+    var phi_637_: f32;
+    var phi_646_: f32;
+    var phi_652_: f32;
+    var phi_663_: f32;
+    var phi_669_: f32;
+    var phi_692_: f32;
+    var phi_703_: f32;
+    var phi_712_: f32;
+    var phi_718_: f32;
+    var phi_729_: f32;
+    var phi_735_: f32;
+    var phi_758_: f32;
+    var phi_769_: f32;
+    var phi_869_: f32;
+    var phi_870_: f32;
+    var phi_4323_: bool;
+    var phi_959_: type_42;
+    var phi_962_: type_57;
+    var phi_964_: u32;
+    var phi_966_: bool;
+    var phi_968_: u32;
+    var phi_979_: bool;
+    var phi_1065_: type_57;
+    var phi_1066_: bool;
+    var phi_1067_: u32;
+    var phi_3235_: u32;
+    var phi_3241_: u32;
+    var phi_3495_: u32;
+    var phi_3496_: u32;
+    var phi_3506_: u32;
+    var phi_3508_: u32;
+    var phi_3509_: bool;
+    var phi_3529_: u32;
+    var phi_3530_: u32;
+    var phi_3534_: type_58;
+    var phi_3878_: type_57;
+    var phi_3955_: type_57;
+    var phi_3956_: type_57;
+    var phi_3957_: u32;
+    var phi_3959_: type_57;
+    var phi_3960_: u32;
+    var phi_3961_: bool;
+    var phi_3970_: type_57;
+    var phi_3975_: type_57;
+    var phi_3976_: bool;
+    var phi_1086_: type_42;
+    var phi_1089_: type_8;
+    var phi_1090_: type_8;
+    var phi_1112_: type_8;
+    var phi_1153_: u32;
+    var phi_1159_: u32;
+    var phi_1169_: u32;
+    var phi_1185_: u32;
+    var phi_1218_: u32;
+    var phi_1224_: u32;
+    var phi_1651_: u32;
+    var phi_1669_: u32;
+    var phi_1687_: u32;
+    var phi_1707_: u32;
+    var phi_1725_: u32;
+    var phi_1743_: u32;
+    var phi_1763_: u32;
+    var phi_1781_: u32;
+    var phi_1799_: u32;
+    var phi_1377_: u32;
+    var phi_1392_: u32;
+    var phi_1402_: u32;
+    var phi_1422_: u32;
+    var phi_1442_: u32;
+    var phi_1468_: u32;
+    var phi_1483_: u32;
+    var phi_1493_: u32;
+    var phi_1513_: u32;
+    var phi_1533_: u32;
+    var phi_1559_: u32;
+    var phi_1574_: u32;
+    var phi_1584_: u32;
+    var phi_1604_: u32;
+    var phi_1624_: u32;
+    var phi_1248_: u32;
+    var phi_1291_: u32;
+    var phi_1334_: u32;
+    var phi_1805_: array<array<f32, 3>, 3>;
+    var phi_2276_: vec3<f32>;
+    var phi_2277_: vec3<f32>;
+    var phi_2308_: bool;
+    var phi_2317_: vec3<f32>;
+    var phi_2357_: type_25;
+    var phi_2359_: type_25;
     var phi_2360_: bool;
-    var phi_2361_: bool;
-    var phi_2380_: bool;
-    var phi_2381_: bool;
-    var phi_2387_: type_43;
-    var phi_2388_: type_43;
-    var phi_2389_: type_43;
-    var phi_4057_: bool;
-    var phi_1101_: type_43;
-    var phi_4056_: bool;
-    var phi_4139_: bool;
-    var phi_3629_: type_43;
-    var phi_3630_: type_60;
-    var phi_3631_: bool;
-    var phi_3632_: u32;
-    var phi_4138_: bool;
-    var phi_3633_: type_43;
-    var phi_3634_: type_60;
-    var phi_3635_: u32;
-    var phi_3636_: bool;
-    var phi_3637_: u32;
-    var phi_4137_: bool;
-    var phi_3638_: type_43;
-    var phi_3639_: type_60;
-    var phi_3640_: u32;
-    var phi_3641_: bool;
-    var phi_3642_: u32;
-    var phi_4136_: bool;
-    var phi_974_: type_43;
-    var phi_977_: type_60;
-    var phi_979_: u32;
-    var phi_981_: bool;
-    var phi_983_: u32;
-    var phi_3643_: bool;
-    var phi_4135_: bool;
-    var local_13: type_43;
-    var phi_3695_: type_25;
-    var local_14: type_43;
+    var phi_2364_: type_25;
+    var phi_2365_: type_25;
+    var phi_2366_: type_25;
+    var phi_2367_: bool;
+    var phi_2371_: type_25;
+    var phi_2372_: bool;
+    var phi_2376_: type_25;
+    var phi_2377_: bool;
+    var phi_2381_: type_25;
+    var phi_2404_: u32;
+    var phi_2418_: i32;
+    var phi_2438_: vec3<f32>;
+    var phi_2439_: vec3<f32>;
+    var phi_2455_: vec3<f32>;
+    var phi_2456_: vec3<f32>;
+    var phi_2472_: vec3<f32>;
+    var phi_2473_: vec3<f32>;
+    var phi_2509_: vec3<f32>;
+    var phi_2691_: f32;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2729_: bool;
+    var phi_2730_: bool;
+    var phi_2736_: type_42;
+    var phi_2737_: type_42;
+    var phi_2738_: type_42;
+    var phi_1087_: type_42;
+    var phi_4317_: bool;
+    var phi_4506_: bool;
+    var phi_3978_: type_42;
+    var phi_3979_: type_57;
+    var phi_3980_: bool;
+    var phi_3981_: u32;
+    var phi_4505_: bool;
+    var phi_3982_: type_42;
+    var phi_3983_: type_57;
+    var phi_3984_: u32;
+    var phi_3985_: bool;
+    var phi_3986_: u32;
+    var phi_4504_: bool;
+    var phi_3987_: type_42;
+    var phi_3988_: type_57;
+    var phi_3989_: u32;
+    var phi_3990_: bool;
+    var phi_3991_: u32;
+    var phi_4503_: bool;
+    var phi_960_: type_42;
+    var phi_963_: type_57;
+    var phi_965_: u32;
+    var phi_967_: bool;
+    var phi_969_: u32;
+    var phi_3992_: bool;
+    var phi_4502_: bool;
+    var local_10: type_42;
+    var phi_4044_: type_25;
+    var local_11: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e102 = global;
-            let _e104 = arrayLength((&global_4.member));
-            let _e107 = arrayLength((&global_10.member));
-            let _e119 = arrayLength((&global_9.member));
-            let _e123 = global_3.member[0u][0u];
-            let _e127 = global_3.member[0u][1u];
-            let _e131 = global_3.member[0u][2u];
-            let _e135 = global_3.member[0u][3u];
-            let _e139 = global_3.member[1u][0u];
-            let _e143 = global_3.member[1u][1u];
-            let _e147 = global_3.member[1u][2u];
-            let _e151 = (_e102.x + (_e102.y * 2097152u));
-            let _e163 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e135) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
-            local = array<i32, 3>(bitcast<i32>(_e139), bitcast<i32>(_e143), bitcast<i32>(_e147));
-            let _e166 = (_e151 < arrayLength((&global_7.member)));
-            if _e166 {
-                if _e166 {
+            let _e98 = global;
+            let _e100 = arrayLength((&global_4.member));
+            let _e103 = arrayLength((&global_10.member));
+            let _e115 = arrayLength((&global_9.member));
+            let _e119 = global_3.member[0u][0u];
+            let _e123 = global_3.member[0u][1u];
+            let _e127 = global_3.member[0u][2u];
+            let _e131 = global_3.member[0u][3u];
+            let _e135 = global_3.member[1u][0u];
+            let _e139 = global_3.member[1u][1u];
+            let _e143 = global_3.member[1u][2u];
+            let _e147 = (_e98.x + (_e98.y * 2097152u));
+            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
+            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
+            let _e162 = (_e147 < arrayLength((&global_7.member)));
+            if _e162 {
+                if _e162 {
                 } else {
                     break;
                 }
-                let _e170 = global_7.member[_e151].member_2;
-                phi_340_ = _e170;
+                let _e166 = global_7.member[_e147].member_2;
+                phi_327_ = _e166;
             } else {
-                phi_340_ = 4294967295u;
+                phi_327_ = 4294967295u;
             }
-            let _e172 = phi_340_;
-            let _e175 = global_1.member[0u];
-            let _e179 = global_2.member[0u][0u];
-            let _e183 = global_2.member[0u][1u];
-            let _e187 = global_2.member[0u][2u];
-            let _e191 = global_2.member[0u][3u];
-            let _e195 = global_2.member[1u][0u];
-            let _e199 = global_2.member[1u][1u];
-            let _e203 = global_2.member[1u][2u];
-            let _e207 = global_2.member[1u][3u];
-            let _e208 = bitcast<f32>(_e179);
-            let _e209 = bitcast<f32>(_e183);
-            let _e210 = bitcast<f32>(_e187);
-            let _e212 = bitcast<f32>(_e195);
-            let _e213 = array<u32, 3>(_e199, _e203, _e207);
-            let _e215 = bitcast<i32>(_e175);
-            if (_e215 < -126i) {
-                phi_384_ = -126i;
+            let _e168 = phi_327_;
+            let _e171 = global_1.member[0u];
+            let _e175 = global_2.member[0u][0u];
+            let _e179 = global_2.member[0u][1u];
+            let _e183 = global_2.member[0u][2u];
+            let _e187 = global_2.member[0u][3u];
+            let _e191 = global_2.member[1u][0u];
+            let _e195 = global_2.member[1u][1u];
+            let _e199 = global_2.member[1u][2u];
+            let _e203 = global_2.member[1u][3u];
+            let _e204 = bitcast<f32>(_e175);
+            let _e205 = bitcast<f32>(_e179);
+            let _e206 = bitcast<f32>(_e183);
+            let _e208 = bitcast<f32>(_e191);
+            let _e209 = array<u32, 3>(_e195, _e199, _e203);
+            let _e211 = bitcast<i32>(_e171);
+            if (_e211 < -126i) {
+                phi_371_ = -126i;
             } else {
-                phi_384_ = select(_e215, 127i, (_e215 > 127i));
+                phi_371_ = select(_e211, 127i, (_e211 > 127i));
             }
-            let _e220 = phi_384_;
-            let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
-            let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
-            if (_e191 == 0u) {
-                phi_408_ = type_40(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
+            let _e216 = phi_371_;
+            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
+            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
+            if (_e187 == 0u) {
+                phi_395_ = type_39(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
             } else {
-                phi_408_ = type_40(array<f32, 3>(((_e208 * _e225) * _e231), ((_e209 * _e225) * _e231), ((_e210 * _e225) * _e231)), _e191, ((_e212 * _e225) * _e231), _e213);
+                phi_395_ = type_39(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
             }
-            let _e244 = phi_408_;
-            if _e166 {
-                let _e245 = (_e151 < arrayLength((&global_8.member)));
-                if _e245 {
-                    if _e166 {
+            let _e240 = phi_395_;
+            if _e162 {
+                let _e241 = (_e147 < arrayLength((&global_8.member)));
+                if _e241 {
+                    if _e162 {
                     } else {
                         break;
                     }
-                    let _e255 = global_7.member[_e151].member.member_2[0u];
-                    let _e257 = (bitcast<u32>(_e255) & 2147483647u);
-                    let _e263 = global_7.member[_e151].member.member_2[1u];
-                    let _e265 = (bitcast<u32>(_e263) & 2147483647u);
-                    let _e271 = global_7.member[_e151].member.member_2[2u];
-                    let _e273 = (bitcast<u32>(_e271) & 2147483647u);
-                    let _e279 = global_7.member[_e151].member.member[0u];
-                    let _e281 = (bitcast<u32>(_e279) & 2147483647u);
-                    let _e287 = global_7.member[_e151].member.member[1u];
-                    let _e289 = (bitcast<u32>(_e287) & 2147483647u);
-                    let _e295 = global_7.member[_e151].member.member[2u];
-                    let _e297 = (bitcast<u32>(_e295) & 2147483647u);
-                    let _e299 = select(_e265, _e257, (_e265 < _e257));
-                    let _e301 = select(_e273, _e299, (_e273 < _e299));
-                    let _e303 = select(_e281, _e301, (_e281 < _e301));
-                    let _e305 = select(_e289, _e303, (_e289 < _e303));
-                    let _e307 = select(_e297, _e305, (_e297 < _e305));
-                    let _e312 = global_7.member[_e151].member.member_1;
-                    let _e314 = (bitcast<u32>(_e312) & 2147483647u);
-                    let _e322 = global_7.member[_e151].member.member_3;
-                    let _e328 = (((select(_e314, _e307, (_e314 < _e307)) < 2139095040u) && ((bitcast<u32>(_e322) & 2147483647u) <= 2139095040u)) && (_e301 > 0u));
-                    if _e328 {
-                        let _e331 = (bitcast<u32>(bitcast<f32>(_e301)) & 2147483647u);
-                        if (_e331 >= 8388608u) {
-                            phi_514_ = (bitcast<i32>((_e331 >> bitcast<u32>(23i))) - 127i);
+                    let _e251 = global_7.member[_e147].member.member_2[0u];
+                    let _e253 = (bitcast<u32>(_e251) & 2147483647u);
+                    let _e259 = global_7.member[_e147].member.member_2[1u];
+                    let _e261 = (bitcast<u32>(_e259) & 2147483647u);
+                    let _e267 = global_7.member[_e147].member.member_2[2u];
+                    let _e269 = (bitcast<u32>(_e267) & 2147483647u);
+                    let _e275 = global_7.member[_e147].member.member[0u];
+                    let _e277 = (bitcast<u32>(_e275) & 2147483647u);
+                    let _e283 = global_7.member[_e147].member.member[1u];
+                    let _e285 = (bitcast<u32>(_e283) & 2147483647u);
+                    let _e291 = global_7.member[_e147].member.member[2u];
+                    let _e293 = (bitcast<u32>(_e291) & 2147483647u);
+                    let _e295 = select(_e261, _e253, (_e261 < _e253));
+                    let _e297 = select(_e269, _e295, (_e269 < _e295));
+                    let _e299 = select(_e277, _e297, (_e277 < _e297));
+                    let _e301 = select(_e285, _e299, (_e285 < _e299));
+                    let _e303 = select(_e293, _e301, (_e293 < _e301));
+                    let _e308 = global_7.member[_e147].member.member_1;
+                    let _e310 = (bitcast<u32>(_e308) & 2147483647u);
+                    let _e318 = global_7.member[_e147].member.member_3;
+                    let _e324 = (((select(_e310, _e303, (_e310 < _e303)) < 2139095040u) && ((bitcast<u32>(_e318) & 2147483647u) <= 2139095040u)) && (_e297 > 0u));
+                    if _e324 {
+                        let _e327 = (bitcast<u32>(bitcast<f32>(_e297)) & 2147483647u);
+                        if (_e327 >= 8388608u) {
+                            phi_501_ = (bitcast<i32>((_e327 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_514_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e331)), 32u, (_e331 == 0u))));
+                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e327)), 32u, (_e327 == 0u))));
                         }
-                        let _e345 = phi_514_;
-                        phi_515_ = _e345;
+                        let _e341 = phi_501_;
+                        phi_502_ = _e341;
                     } else {
-                        phi_515_ = 0i;
+                        phi_502_ = 0i;
                     }
-                    let _e347 = phi_515_;
-                    let _e348 = (_e257 == _e301);
-                    if _e348 {
+                    let _e343 = phi_502_;
+                    let _e344 = (_e253 == _e297);
+                    if _e344 {
+                        phi_512_ = true;
+                    } else {
+                        phi_512_ = (_e261 == _e297);
+                    }
+                    let _e347 = phi_512_;
+                    let _e348 = select(1u, 0u, _e344);
+                    if _e347 {
+                        let _e349 = (_e348 + 1u);
+                        phi_522_ = _e349;
+                        phi_523_ = _e349;
+                        phi_525_ = select(true, false, (_e349 == 2u));
+                    } else {
+                        phi_522_ = u32();
+                        phi_523_ = 0u;
                         phi_525_ = true;
-                    } else {
-                        phi_525_ = (_e265 == _e301);
                     }
-                    let _e351 = phi_525_;
-                    let _e352 = select(1u, 0u, _e348);
-                    if _e351 {
-                        let _e353 = (_e352 + 1u);
-                        phi_535_ = _e353;
-                        phi_536_ = _e353;
-                        phi_538_ = select(true, false, (_e353 == 2u));
+                    let _e353 = phi_522_;
+                    let _e355 = phi_523_;
+                    let _e357 = phi_525_;
+                    if _e357 {
+                        phi_530_ = (_e355 + 1u);
                     } else {
-                        phi_535_ = u32();
-                        phi_536_ = 0u;
-                        phi_538_ = true;
+                        phi_530_ = 0u;
                     }
-                    let _e357 = phi_535_;
-                    let _e359 = phi_536_;
-                    let _e361 = phi_538_;
-                    if _e361 {
-                        phi_543_ = (_e359 + 1u);
+                    let _e361 = phi_530_;
+                    let _e362 = select(_e353, _e355, _e357);
+                    let _e363 = select(_e348, select(2u, _e348, _e347), _e357);
+                    let _e364 = -(_e343);
+                    if (_e364 < -126i) {
+                        phi_562_ = -126i;
                     } else {
-                        phi_543_ = 0u;
+                        phi_562_ = select(_e364, 127i, (_e364 > 127i));
                     }
-                    let _e365 = phi_543_;
-                    let _e366 = select(_e357, _e359, _e361);
-                    let _e367 = select(_e352, select(2u, _e352, _e351), _e361);
-                    let _e368 = -(_e347);
-                    if (_e368 < -126i) {
-                        phi_576_ = -126i;
+                    let _e369 = phi_562_;
+                    let _e374 = bitcast<f32>((bitcast<u32>((_e369 + 127i)) << bitcast<u32>(23i)));
+                    let _e380 = bitcast<f32>((bitcast<u32>(((_e364 - _e369) + 127i)) << bitcast<u32>(23i)));
+                    let _e385 = global_7.member[_e147].member.member;
+                    let _e386 = (_e362 == 0u);
+                    if _e386 {
+                        phi_580_ = _e385[0];
                     } else {
-                        phi_576_ = select(_e368, 127i, (_e368 > 127i));
+                        phi_580_ = _e385[1];
                     }
-                    let _e373 = phi_576_;
-                    let _e378 = bitcast<f32>((bitcast<u32>((_e373 + 127i)) << bitcast<u32>(23i)));
-                    let _e384 = bitcast<f32>((bitcast<u32>(((_e368 - _e373) + 127i)) << bitcast<u32>(23i)));
-                    let _e389 = global_7.member[_e151].member.member;
-                    let _e390 = (_e366 == 0u);
-                    if _e390 {
-                        phi_594_ = _e389[0];
+                    let _e390 = phi_580_;
+                    let _e391 = (_e362 == 2u);
+                    if _e391 {
+                        phi_586_ = _e385[2];
                     } else {
-                        phi_594_ = _e389[1];
+                        phi_586_ = _e390;
                     }
-                    let _e394 = phi_594_;
-                    let _e395 = (_e366 == 2u);
-                    if _e395 {
-                        phi_600_ = _e389[2];
+                    let _e394 = phi_586_;
+                    let _e395 = global_7.member[_e147].member.member_2;
+                    if _e386 {
+                        phi_597_ = _e395[0];
                     } else {
-                        phi_600_ = _e394;
+                        phi_597_ = _e395[1];
                     }
-                    let _e398 = phi_600_;
-                    let _e399 = global_7.member[_e151].member.member_2;
-                    if _e390 {
-                        phi_611_ = _e399[0];
+                    let _e399 = phi_597_;
+                    if _e391 {
+                        phi_603_ = _e395[2];
                     } else {
-                        phi_611_ = _e399[1];
+                        phi_603_ = _e399;
                     }
-                    let _e403 = phi_611_;
-                    if _e395 {
-                        phi_617_ = _e399[2];
+                    let _e402 = phi_603_;
+                    let _e404 = ((_e402 * _e374) * _e380);
+                    let _e408 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e408 {
+                        let _e412 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
+                        phi_626_ = select(0.00000000000011368684f, _e412, (_e412 > 0.00000000000011368684f));
                     } else {
-                        phi_617_ = _e403;
+                        phi_626_ = 0f;
                     }
-                    let _e406 = phi_617_;
-                    let _e408 = ((_e406 * _e378) * _e384);
-                    let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e412 {
-                        let _e416 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) * 0.00000011920929f);
-                        phi_640_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
+                    let _e416 = phi_626_;
+                    let _e417 = (_e394 + _e416);
+                    let _e418 = (_e394 - _e416);
+                    let _e419 = select(_e404, 0f, _e408);
+                    if _e408 {
+                        phi_637_ = 38685626000000000000000000f;
                     } else {
-                        phi_640_ = 0f;
+                        phi_637_ = (1f / _e404);
                     }
-                    let _e420 = phi_640_;
-                    let _e421 = (_e398 + _e420);
-                    let _e422 = (_e398 - _e420);
-                    let _e423 = select(_e408, 0f, _e412);
-                    if _e412 {
-                        phi_651_ = 38685626000000000000000000f;
+                    let _e422 = phi_637_;
+                    let _e423 = (_e361 == 0u);
+                    if _e423 {
+                        phi_646_ = _e385[0];
                     } else {
-                        phi_651_ = (1f / _e408);
+                        phi_646_ = _e385[1];
                     }
-                    let _e426 = phi_651_;
-                    let _e427 = (_e365 == 0u);
-                    if _e427 {
-                        phi_660_ = _e389[0];
+                    let _e427 = phi_646_;
+                    let _e428 = (_e361 == 2u);
+                    if _e428 {
+                        phi_652_ = _e385[2];
                     } else {
-                        phi_660_ = _e389[1];
+                        phi_652_ = _e427;
                     }
-                    let _e431 = phi_660_;
-                    let _e432 = (_e365 == 2u);
-                    if _e432 {
-                        phi_666_ = _e389[2];
+                    let _e431 = phi_652_;
+                    if _e423 {
+                        phi_663_ = _e395[0];
                     } else {
-                        phi_666_ = _e431;
+                        phi_663_ = _e395[1];
                     }
-                    let _e435 = phi_666_;
-                    if _e427 {
-                        phi_677_ = _e399[0];
+                    let _e435 = phi_663_;
+                    if _e428 {
+                        phi_669_ = _e395[2];
                     } else {
-                        phi_677_ = _e399[1];
+                        phi_669_ = _e435;
                     }
-                    let _e439 = phi_677_;
-                    if _e432 {
-                        phi_683_ = _e399[2];
+                    let _e438 = phi_669_;
+                    let _e440 = ((_e438 * _e374) * _e380);
+                    let _e444 = (bitcast<f32>((bitcast<u32>(_e440) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e444 {
+                        let _e448 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) * 0.00000011920929f);
+                        phi_692_ = select(0.00000000000011368684f, _e448, (_e448 > 0.00000000000011368684f));
                     } else {
-                        phi_683_ = _e439;
+                        phi_692_ = 0f;
                     }
-                    let _e442 = phi_683_;
-                    let _e444 = ((_e442 * _e378) * _e384);
-                    let _e448 = (bitcast<f32>((bitcast<u32>(_e444) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e448 {
-                        let _e452 = (bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)) * 0.00000011920929f);
-                        phi_706_ = select(0.00000000000011368684f, _e452, (_e452 > 0.00000000000011368684f));
+                    let _e452 = phi_692_;
+                    let _e453 = (_e431 + _e452);
+                    let _e454 = (_e431 - _e452);
+                    let _e455 = select(_e440, 0f, _e444);
+                    if _e444 {
+                        phi_703_ = 38685626000000000000000000f;
                     } else {
-                        phi_706_ = 0f;
+                        phi_703_ = (1f / _e440);
                     }
-                    let _e456 = phi_706_;
-                    let _e457 = (_e435 + _e456);
-                    let _e458 = (_e435 - _e456);
-                    let _e459 = select(_e444, 0f, _e448);
-                    if _e448 {
-                        phi_717_ = 38685626000000000000000000f;
+                    let _e458 = phi_703_;
+                    let _e459 = (_e363 == 0u);
+                    if _e459 {
+                        phi_712_ = _e385[0];
                     } else {
-                        phi_717_ = (1f / _e444);
+                        phi_712_ = _e385[1];
                     }
-                    let _e462 = phi_717_;
-                    let _e463 = (_e367 == 0u);
-                    if _e463 {
-                        phi_726_ = _e389[0];
+                    let _e463 = phi_712_;
+                    let _e464 = (_e363 == 2u);
+                    if _e464 {
+                        phi_718_ = _e385[2];
                     } else {
-                        phi_726_ = _e389[1];
+                        phi_718_ = _e463;
                     }
-                    let _e467 = phi_726_;
-                    let _e468 = (_e367 == 2u);
-                    if _e468 {
-                        phi_732_ = _e389[2];
+                    let _e467 = phi_718_;
+                    if _e459 {
+                        phi_729_ = _e395[0];
                     } else {
-                        phi_732_ = _e467;
+                        phi_729_ = _e395[1];
                     }
-                    let _e471 = phi_732_;
-                    if _e463 {
-                        phi_743_ = _e399[0];
+                    let _e471 = phi_729_;
+                    if _e464 {
+                        phi_735_ = _e395[2];
                     } else {
-                        phi_743_ = _e399[1];
+                        phi_735_ = _e471;
                     }
-                    let _e475 = phi_743_;
-                    if _e468 {
-                        phi_749_ = _e399[2];
+                    let _e474 = phi_735_;
+                    let _e476 = ((_e474 * _e374) * _e380);
+                    let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e480 {
+                        let _e484 = (bitcast<f32>((bitcast<u32>(_e467) & 2147483647u)) * 0.00000011920929f);
+                        phi_758_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
                     } else {
-                        phi_749_ = _e475;
+                        phi_758_ = 0f;
                     }
-                    let _e478 = phi_749_;
-                    let _e480 = ((_e478 * _e378) * _e384);
-                    let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e484 {
-                        let _e488 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
-                        phi_772_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
+                    let _e488 = phi_758_;
+                    let _e489 = (_e467 + _e488);
+                    let _e490 = (_e467 - _e488);
+                    let _e491 = select(_e476, 0f, _e480);
+                    if _e480 {
+                        phi_769_ = 38685626000000000000000000f;
                     } else {
-                        phi_772_ = 0f;
+                        phi_769_ = (1f / _e476);
                     }
-                    let _e492 = phi_772_;
-                    let _e493 = (_e471 + _e492);
-                    let _e494 = (_e471 - _e492);
-                    let _e495 = select(_e480, 0f, _e484);
-                    if _e484 {
-                        phi_783_ = 38685626000000000000000000f;
+                    let _e494 = phi_769_;
+                    let _e497 = bitcast<f32>((bitcast<u32>(_e394) & 2147483647u));
+                    let _e500 = bitcast<f32>((bitcast<u32>(_e431) & 2147483647u));
+                    let _e502 = select(_e500, _e497, (_e497 > _e500));
+                    let _e505 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
+                    if (_e324 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
+                        let _e510 = (_e343 / 3i);
+                        let _e517 = bitcast<f32>((bitcast<u32>((_e510 + 127i)) << bitcast<u32>(23i)));
+                        let _e524 = bitcast<f32>((bitcast<u32>(((_e343 - (2i * _e510)) + 127i)) << bitcast<u32>(23i)));
+                        let _e525 = (((_e308 * _e517) * _e517) * _e524);
+                        let _e527 = select(340282350000000000000000000000000000000f, _e525, (_e525 < 340282350000000000000000000000000000000f));
+                        let _e532 = (((_e318 * _e517) * _e517) * _e524);
+                        let _e534 = select(340282350000000000000000000000000000000f, _e532, (_e532 < 340282350000000000000000000000000000000f));
+                        phi_869_ = select(-340282350000000000000000000000000000000f, _e534, (_e534 > -340282350000000000000000000000000000000f));
+                        phi_870_ = select(-340282350000000000000000000000000000000f, _e527, (_e527 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_783_ = (1f / _e480);
+                        phi_869_ = 0f;
+                        phi_870_ = 1f;
                     }
-                    let _e498 = phi_783_;
-                    let _e501 = bitcast<f32>((bitcast<u32>(_e398) & 2147483647u));
-                    let _e504 = bitcast<f32>((bitcast<u32>(_e435) & 2147483647u));
-                    let _e506 = select(_e504, _e501, (_e501 > _e504));
-                    let _e509 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
-                    if (_e328 && (select(_e509, _e506, (_e506 > _e509)) <= 1099511600000f)) {
-                        let _e514 = (_e347 / 3i);
-                        let _e521 = bitcast<f32>((bitcast<u32>((_e514 + 127i)) << bitcast<u32>(23i)));
-                        let _e528 = bitcast<f32>((bitcast<u32>(((_e347 - (2i * _e514)) + 127i)) << bitcast<u32>(23i)));
-                        let _e529 = (((_e312 * _e521) * _e521) * _e528);
-                        let _e531 = select(340282350000000000000000000000000000000f, _e529, (_e529 < 340282350000000000000000000000000000000f));
-                        let _e536 = (((_e322 * _e521) * _e521) * _e528);
-                        let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
-                        phi_883_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
-                        phi_884_ = select(-340282350000000000000000000000000000000f, _e531, (_e531 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_883_ = 0f;
-                        phi_884_ = 1f;
-                    }
-                    let _e542 = phi_883_;
-                    let _e544 = phi_884_;
+                    let _e538 = phi_869_;
+                    let _e540 = phi_870_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -574,1193 +580,1336 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e548 = (_e366 % 3u);
-                    let _e549 = (_e548 < 3u);
-                    if _e549 {
+                    let _e544 = (_e362 % 3u);
+                    let _e545 = (_e544 < 3u);
+                    if _e545 {
                     } else {
                         break;
                     }
-                    let _e551 = local_1[_e548];
-                    let _e554 = (_e365 % 3u);
-                    let _e555 = (_e554 < 3u);
-                    if _e555 {
+                    let _e547 = local_1[_e544];
+                    let _e550 = (_e361 % 3u);
+                    let _e551 = (_e550 < 3u);
+                    if _e551 {
                     } else {
                         break;
                     }
-                    let _e557 = local_1[_e554];
-                    let _e560 = (_e367 % 3u);
-                    let _e561 = (_e560 < 3u);
-                    if _e561 {
+                    let _e553 = local_1[_e550];
+                    let _e556 = (_e363 % 3u);
+                    let _e557 = (_e556 < 3u);
+                    if _e557 {
                     } else {
                         break;
                     }
-                    let _e563 = local_1[_e560];
-                    if _e549 {
+                    let _e559 = local_1[_e556];
+                    if _e545 {
                     } else {
                         break;
                     }
-                    let _e568 = local[_e548];
-                    if _e555 {
+                    let _e564 = local[_e544];
+                    if _e551 {
                     } else {
                         break;
                     }
-                    let _e572 = local[_e554];
-                    if _e561 {
+                    let _e568 = local[_e550];
+                    if _e557 {
                     } else {
                         break;
                     }
-                    let _e576 = local[_e560];
-                    phi_3997_ = false;
-                    phi_973_ = type_43(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e542);
-                    phi_976_ = type_60(type_37(vec4<f32>((f32(_e551) * _e163), (f32(_e557) * _e163), (f32(_e563) * _e163), 0f), vec4<f32>((f32(_e568) * _e163), (f32(_e572) * _e163), (f32(_e576) * _e163), 0f)), select(0u, 2147483648u, (_e104 == 0u)));
-                    phi_978_ = ((3u * _e104) + 1u);
-                    phi_980_ = (_e544 <= _e542);
-                    phi_982_ = 0u;
+                    let _e572 = local[_e556];
+                    phi_4323_ = false;
+                    phi_959_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e538);
+                    phi_962_ = type_57(type_37(vec4<f32>((f32(_e547) * _e159), (f32(_e553) * _e159), (f32(_e559) * _e159), 0f), vec4<f32>((f32(_e564) * _e159), (f32(_e568) * _e159), (f32(_e572) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
+                    phi_964_ = ((3u * _e100) + 1u);
+                    phi_966_ = (_e540 <= _e538);
+                    phi_968_ = 0u;
                     loop {
-                        let _e586 = phi_3997_;
-                        let _e588 = phi_973_;
-                        let _e590 = phi_976_;
-                        let _e592 = phi_978_;
-                        let _e594 = phi_980_;
-                        let _e596 = phi_982_;
-                        local_13 = _e588;
-                        if _e594 {
-                            phi_993_ = true;
+                        let _e582 = phi_4323_;
+                        let _e584 = phi_959_;
+                        let _e586 = phi_962_;
+                        let _e588 = phi_964_;
+                        let _e590 = phi_966_;
+                        let _e592 = phi_968_;
+                        local_10 = _e584;
+                        if _e590 {
+                            phi_979_ = true;
                         } else {
-                            phi_993_ = (_e596 > 0u);
+                            phi_979_ = (_e592 > 0u);
                         }
-                        let _e599 = phi_993_;
-                        if _e599 {
-                            let _e600 = (_e592 > 0u);
-                            if _e600 {
-                                if _e594 {
-                                    phi_1079_ = _e590;
-                                    phi_1080_ = _e594;
-                                    phi_1081_ = _e596;
+                        let _e595 = phi_979_;
+                        if _e595 {
+                            let _e596 = (_e588 > 0u);
+                            if _e596 {
+                                if _e590 {
+                                    phi_1065_ = _e586;
+                                    phi_1066_ = _e590;
+                                    phi_1067_ = _e592;
                                 } else {
-                                    let _e601 = (_e596 - 1u);
-                                    let _e602 = (_e601 % 128u);
-                                    let _e603 = (_e602 < 128u);
-                                    if _e603 {
+                                    let _e597 = (_e592 - 1u);
+                                    let _e598 = (_e597 % 128u);
+                                    let _e599 = (_e598 < 128u);
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e605 = local_7[_e602];
-                                    if _e603 {
+                                    let _e601 = local_7[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e607 = local_6[_e602];
-                                    if _e603 {
+                                    let _e603 = local_6[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e609 = local_5[_e602];
-                                    if _e603 {
+                                    let _e605 = local_5[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e611 = local_4[_e602];
-                                    if _e603 {
+                                    let _e607 = local_4[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e613 = local_3[_e602];
-                                    if _e603 {
+                                    let _e609 = local_3[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e615 = local_2[_e602];
-                                    if _e603 {
+                                    let _e611 = local_2[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e620 = local_8[_e602];
-                                    if _e603 {
+                                    let _e616 = local_8[_e598];
+                                    if _e599 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e623 = local_9[_e602];
-                                    phi_1079_ = type_60(type_37(vec4<f32>(_e605, _e607, _e609, 0f), vec4<f32>(_e611, _e613, _e615, 0f)), _e620);
-                                    phi_1080_ = (_e623 <= _e588.member_1);
-                                    phi_1081_ = _e601;
+                                    let _e619 = local_9[_e598];
+                                    phi_1065_ = type_57(type_37(vec4<f32>(_e601, _e603, _e605, 0f), vec4<f32>(_e607, _e609, _e611, 0f)), _e616);
+                                    phi_1066_ = (_e619 <= _e584.member_1);
+                                    phi_1067_ = _e597;
                                 }
-                                let _e627 = phi_1079_;
-                                let _e629 = phi_1080_;
-                                let _e631 = phi_1081_;
-                                if _e629 {
-                                    let _e636 = (_e627.member_1 & 268435455u);
-                                    if ((_e627.member_1 & 2147483648u) != 0u) {
-                                        phi_3994_ = _e586;
-                                        phi_1100_ = _e588;
-                                        phi_1103_ = type_8(0u, ((_e627.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e623 = phi_1065_;
+                                let _e625 = phi_1066_;
+                                let _e627 = phi_1067_;
+                                if _e625 {
+                                    let _e632 = (_e623.member_1 & 268435455u);
+                                    if ((_e623.member_1 & 2147483648u) != 0u) {
+                                        phi_1086_ = _e584;
+                                        phi_1089_ = type_8(0u, ((_e623.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1096 = phi_3994_;
-                                            let _e1098 = phi_1100_;
-                                            let _e1100 = phi_1103_;
-                                            local_14 = _e1098;
-                                            if (_e1100.member < _e1100.member_1) {
-                                                phi_1104_ = type_8((_e1100.member + 1u), _e1100.member_1);
-                                                phi_1126_ = type_8(1u, _e1100.member);
+                                            let _e1092 = phi_1086_;
+                                            let _e1094 = phi_1089_;
+                                            local_11 = _e1092;
+                                            if (_e1094.member < _e1094.member_1) {
+                                                phi_1090_ = type_8((_e1094.member + 1u), _e1094.member_1);
+                                                phi_1112_ = type_8(1u, _e1094.member);
                                             } else {
-                                                phi_1104_ = _e1100;
-                                                phi_1126_ = type_8(0u, type_8().member_1);
+                                                phi_1090_ = _e1094;
+                                                phi_1112_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1113 = phi_1104_;
-                                            let _e1115 = phi_1126_;
-                                            let _e1119 = (bitcast<i32>(_e1115.member) != 0i);
-                                            if _e1119 {
-                                                let _e1124 = (_e627.member.member_1.x - _e627.member.member.x);
-                                                let _e1127 = (_e627.member.member_1.y - _e627.member.member.y);
-                                                let _e1130 = (_e627.member.member_1.z - _e627.member.member.z);
-                                                let _e1132 = select(_e1127, _e1124, (_e1124 > _e1127));
-                                                let _e1134 = select(_e1130, _e1132, (_e1132 > _e1130));
-                                                let _e1136 = (_e1134 < (1024f * _e163));
-                                                if _e1136 {
-                                                    phi_1167_ = 0u;
+                                            let _e1107 = phi_1090_;
+                                            let _e1109 = phi_1112_;
+                                            let _e1113 = (bitcast<i32>(_e1109.member) != 0i);
+                                            if _e1113 {
+                                                let _e1118 = (_e623.member.member_1.x - _e623.member.member.x);
+                                                let _e1121 = (_e623.member.member_1.y - _e623.member.member.y);
+                                                let _e1124 = (_e623.member.member_1.z - _e623.member.member.z);
+                                                let _e1126 = select(_e1121, _e1118, (_e1118 > _e1121));
+                                                let _e1128 = select(_e1124, _e1126, (_e1126 > _e1124));
+                                                let _e1130 = (_e1128 < (1024f * _e159));
+                                                if _e1130 {
+                                                    phi_1153_ = 0u;
                                                 } else {
-                                                    phi_1167_ = select(2u, 1u, (_e1134 < (2097152f * _e163)));
+                                                    phi_1153_ = select(2u, 1u, (_e1128 < (2097152f * _e159)));
                                                 }
-                                                let _e1141 = phi_1167_;
-                                                switch bitcast<i32>(_e1141) {
+                                                let _e1135 = phi_1153_;
+                                                switch bitcast<i32>(_e1135) {
                                                     case 0: {
-                                                        phi_1173_ = 1u;
+                                                        phi_1159_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1173_ = 2u;
+                                                        phi_1159_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1173_ = 3u;
+                                                        phi_1159_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1173_ = u32();
+                                                        phi_1159_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1144 = phi_1173_;
-                                                switch bitcast<i32>(_e1141) {
+                                                let _e1138 = phi_1159_;
+                                                switch bitcast<i32>(_e1135) {
                                                     case 0: {
-                                                        phi_1183_ = 1u;
+                                                        phi_1169_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1183_ = 2u;
+                                                        phi_1169_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1183_ = 3u;
+                                                        phi_1169_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1183_ = u32();
+                                                        phi_1169_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1151 = phi_1183_;
-                                                let _e1153 = ((_e636 + (_e1115.member_1 * ((3u * _e1144) + 1u))) + (3u * _e1151));
-                                                let _e1154 = (_e1153 < _e107);
-                                                if _e1154 {
-                                                    if _e1154 {
+                                                let _e1145 = phi_1169_;
+                                                let _e1147 = ((_e632 + (_e1109.member_1 * ((3u * _e1138) + 1u))) + (3u * _e1145));
+                                                let _e1148 = (_e1147 < _e103);
+                                                if _e1148 {
+                                                    if _e1148 {
                                                     } else {
-                                                        phi_4056_ = true;
+                                                        phi_4317_ = true;
                                                         break;
                                                     }
-                                                    let _e1156 = global_10.member[_e1153];
-                                                    phi_1199_ = _e1156;
+                                                    let _e1150 = global_10.member[_e1147];
+                                                    phi_1185_ = _e1150;
                                                 } else {
-                                                    phi_1199_ = 4294967295u;
+                                                    phi_1185_ = 4294967295u;
                                                 }
-                                                let _e1158 = phi_1199_;
-                                                local_10 = array<u32, 3>(_e366, _e365, _e367);
-                                                if _e1136 {
-                                                    phi_1236_ = 0u;
+                                                let _e1152 = phi_1185_;
+                                                if _e1130 {
+                                                    phi_1218_ = 0u;
                                                 } else {
-                                                    phi_1236_ = select(2u, 1u, (_e1134 < (2097152f * _e163)));
+                                                    phi_1218_ = select(2u, 1u, (_e1128 < (2097152f * _e159)));
                                                 }
-                                                let _e1164 = phi_1236_;
-                                                switch bitcast<i32>(_e1164) {
+                                                let _e1157 = phi_1218_;
+                                                switch bitcast<i32>(_e1157) {
                                                     case 0: {
-                                                        phi_1242_ = 1u;
+                                                        phi_1224_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1242_ = 2u;
+                                                        phi_1224_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1242_ = 3u;
+                                                        phi_1224_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1242_ = u32();
+                                                        phi_1224_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1167 = phi_1242_;
-                                                switch bitcast<i32>(_e1164) {
+                                                let _e1160 = phi_1224_;
+                                                let _e1164 = (_e632 + (_e1109.member_1 * ((3u * _e1160) + 1u)));
+                                                switch bitcast<i32>(_e1157) {
                                                     case 0: {
-                                                        phi_1252_ = 1u;
-                                                        break;
-                                                    }
-                                                    case 1: {
-                                                        phi_1252_ = 2u;
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        phi_1252_ = 3u;
-                                                        break;
-                                                    }
-                                                    default: {
-                                                        phi_1252_ = u32();
-                                                        break;
-                                                    }
-                                                }
-                                                let _e1174 = phi_1252_;
-                                                local_12 = array<f32, 4>(_e627.member.member.x, _e627.member.member.y, _e627.member.member.z, _e627.member.member.w);
-                                                local_11[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3979_ = _e1096;
-                                                phi_1268_ = type_8(0u, 3u);
-                                                loop {
-                                                    let _e1188 = phi_3979_;
-                                                    let _e1190 = phi_1268_;
-                                                    if (_e1190.member < _e1190.member_1) {
-                                                        phi_1269_ = type_8((_e1190.member + 1u), _e1190.member_1);
-                                                        phi_1292_ = type_8(1u, _e1190.member);
-                                                    } else {
-                                                        phi_1269_ = _e1190;
-                                                        phi_1292_ = type_8(0u, type_8().member_1);
-                                                    }
-                                                    let _e1203 = phi_1269_;
-                                                    let _e1205 = phi_1292_;
-                                                    let _e1209 = (bitcast<i32>(_e1205.member) != 0i);
-                                                    if _e1209 {
-                                                        let _e1211 = ((_e636 + (_e1115.member_1 * ((3u * _e1167) + 1u))) + (_e1205.member_1 * _e1174));
-                                                        let _e1212 = (_e1211 < _e107);
-                                                        if _e1212 {
-                                                            if _e1212 {
+                                                        let _e1430 = (_e1164 < _e103);
+                                                        if _e1430 {
+                                                            if _e1430 {
                                                             } else {
-                                                                phi_4054_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1214 = global_10.member[_e1211];
-                                                            phi_1315_ = _e1214;
+                                                            let _e1432 = global_10.member[_e1164];
+                                                            phi_1248_ = _e1432;
                                                         } else {
-                                                            phi_1315_ = 0u;
+                                                            phi_1248_ = 0u;
                                                         }
-                                                        let _e1216 = phi_1315_;
-                                                        let _e1217 = (_e1211 + 1u);
-                                                        let _e1218 = (_e1217 < _e107);
-                                                        if _e1218 {
-                                                            if _e1218 {
+                                                        let _e1434 = phi_1248_;
+                                                        let _e1436 = ((10u * _e362) & 31u);
+                                                        let _e1445 = ((10u * _e361) & 31u);
+                                                        let _e1454 = ((10u * _e363) & 31u);
+                                                        let _e1463 = (_e1164 + 1u);
+                                                        let _e1464 = (_e1463 < _e103);
+                                                        if _e1464 {
+                                                            if _e1464 {
                                                             } else {
-                                                                phi_4054_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1220 = global_10.member[_e1217];
-                                                            phi_1330_ = _e1220;
+                                                            let _e1466 = global_10.member[_e1463];
+                                                            phi_1291_ = _e1466;
                                                         } else {
-                                                            phi_1330_ = 0u;
+                                                            phi_1291_ = 0u;
                                                         }
-                                                        let _e1222 = phi_1330_;
-                                                        phi_1333_ = type_8(0u, 3u);
-                                                        loop {
-                                                            let _e1224 = phi_1333_;
-                                                            if (_e1224.member < _e1224.member_1) {
-                                                                phi_1334_ = type_8((_e1224.member + 1u), _e1224.member_1);
-                                                                phi_1357_ = type_8(1u, _e1224.member);
+                                                        let _e1468 = phi_1291_;
+                                                        let _e1491 = (_e1164 + 2u);
+                                                        let _e1492 = (_e1491 < _e103);
+                                                        if _e1492 {
+                                                            if _e1492 {
                                                             } else {
-                                                                phi_1334_ = _e1224;
-                                                                phi_1357_ = type_8(0u, type_8().member_1);
+                                                                phi_4317_ = true;
+                                                                break;
                                                             }
-                                                            let _e1237 = phi_1334_;
-                                                            let _e1239 = phi_1357_;
-                                                            let _e1243 = (bitcast<i32>(_e1239.member) != 0i);
+                                                            let _e1494 = global_10.member[_e1491];
+                                                            phi_1334_ = _e1494;
+                                                        } else {
+                                                            phi_1334_ = 0u;
+                                                        }
+                                                        let _e1496 = phi_1334_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))));
+                                                        break;
+                                                    }
+                                                    case 1: {
+                                                        let _e1253 = (_e1164 < _e103);
+                                                        if _e1253 {
+                                                            if _e1253 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1255 = global_10.member[_e1164];
+                                                            phi_1377_ = _e1255;
+                                                        } else {
+                                                            phi_1377_ = 0u;
+                                                        }
+                                                        let _e1257 = phi_1377_;
+                                                        let _e1258 = (_e1164 + 1u);
+                                                        let _e1259 = (_e1258 < _e103);
+                                                        if _e1259 {
+                                                            if _e1259 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1261 = global_10.member[_e1258];
+                                                            phi_1392_ = _e1261;
+                                                        } else {
+                                                            phi_1392_ = 0u;
+                                                        }
+                                                        let _e1263 = phi_1392_;
+                                                        let _e1264 = (_e362 == 1u);
+                                                        if _e1264 {
+                                                            phi_1402_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1402_ = (_e1263 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1273 = phi_1402_;
+                                                        let _e1280 = (_e361 == 1u);
+                                                        if _e1280 {
+                                                            phi_1422_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1422_ = (_e1263 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1289 = phi_1422_;
+                                                        let _e1296 = (_e363 == 1u);
+                                                        if _e1296 {
+                                                            phi_1442_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1442_ = (_e1263 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1305 = phi_1442_;
+                                                        let _e1313 = (_e1164 + 2u);
+                                                        let _e1314 = (_e1313 < _e103);
+                                                        if _e1314 {
+                                                            if _e1314 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1316 = global_10.member[_e1313];
+                                                            phi_1468_ = _e1316;
+                                                        } else {
+                                                            phi_1468_ = 0u;
+                                                        }
+                                                        let _e1318 = phi_1468_;
+                                                        let _e1319 = (_e1164 + 3u);
+                                                        let _e1320 = (_e1319 < _e103);
+                                                        if _e1320 {
+                                                            if _e1320 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1322 = global_10.member[_e1319];
+                                                            phi_1483_ = _e1322;
+                                                        } else {
+                                                            phi_1483_ = 0u;
+                                                        }
+                                                        let _e1324 = phi_1483_;
+                                                        if _e1264 {
+                                                            phi_1493_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1493_ = (_e1324 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1333 = phi_1493_;
+                                                        if _e1280 {
+                                                            phi_1513_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1513_ = (_e1324 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1348 = phi_1513_;
+                                                        if _e1296 {
+                                                            phi_1533_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1533_ = (_e1324 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1363 = phi_1533_;
+                                                        let _e1371 = (_e1164 + 4u);
+                                                        let _e1372 = (_e1371 < _e103);
+                                                        if _e1372 {
+                                                            if _e1372 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1374 = global_10.member[_e1371];
+                                                            phi_1559_ = _e1374;
+                                                        } else {
+                                                            phi_1559_ = 0u;
+                                                        }
+                                                        let _e1376 = phi_1559_;
+                                                        let _e1377 = (_e1164 + 5u);
+                                                        let _e1378 = (_e1377 < _e103);
+                                                        if _e1378 {
+                                                            if _e1378 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1380 = global_10.member[_e1377];
+                                                            phi_1574_ = _e1380;
+                                                        } else {
+                                                            phi_1574_ = 0u;
+                                                        }
+                                                        let _e1382 = phi_1574_;
+                                                        if _e1264 {
+                                                            phi_1584_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1584_ = (_e1382 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1391 = phi_1584_;
+                                                        if _e1280 {
+                                                            phi_1604_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1604_ = (_e1382 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1406 = phi_1604_;
+                                                        if _e1296 {
+                                                            phi_1624_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1624_ = (_e1382 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1421 = phi_1624_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1273, _e1257, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1289, _e1257, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1305, _e1257, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1333, _e1318, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1348, _e1318, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1363, _e1318, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1391, _e1376, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1406, _e1376, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1421, _e1376, _e459) & 2097151u))) * _e159))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1166 = (_e1164 + _e362);
+                                                        let _e1167 = (_e1166 < _e103);
+                                                        if _e1167 {
+                                                            if _e1167 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1169 = global_10.member[_e1166];
+                                                            phi_1651_ = _e1169;
+                                                        } else {
+                                                            phi_1651_ = 0u;
+                                                        }
+                                                        let _e1171 = phi_1651_;
+                                                        let _e1175 = (_e1164 + _e361);
+                                                        let _e1176 = (_e1175 < _e103);
+                                                        if _e1176 {
+                                                            if _e1176 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1178 = global_10.member[_e1175];
+                                                            phi_1669_ = _e1178;
+                                                        } else {
+                                                            phi_1669_ = 0u;
+                                                        }
+                                                        let _e1180 = phi_1669_;
+                                                        let _e1184 = (_e1164 + _e363);
+                                                        let _e1185 = (_e1184 < _e103);
+                                                        if _e1185 {
+                                                            if _e1185 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1187 = global_10.member[_e1184];
+                                                            phi_1687_ = _e1187;
+                                                        } else {
+                                                            phi_1687_ = 0u;
+                                                        }
+                                                        let _e1189 = phi_1687_;
+                                                        let _e1194 = (_e1164 + 3u);
+                                                        let _e1195 = (_e1194 + _e362);
+                                                        let _e1196 = (_e1195 < _e103);
+                                                        if _e1196 {
+                                                            if _e1196 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1198 = global_10.member[_e1195];
+                                                            phi_1707_ = _e1198;
+                                                        } else {
+                                                            phi_1707_ = 0u;
+                                                        }
+                                                        let _e1200 = phi_1707_;
+                                                        let _e1204 = (_e1194 + _e361);
+                                                        let _e1205 = (_e1204 < _e103);
+                                                        if _e1205 {
+                                                            if _e1205 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1207 = global_10.member[_e1204];
+                                                            phi_1725_ = _e1207;
+                                                        } else {
+                                                            phi_1725_ = 0u;
+                                                        }
+                                                        let _e1209 = phi_1725_;
+                                                        let _e1213 = (_e1194 + _e363);
+                                                        let _e1214 = (_e1213 < _e103);
+                                                        if _e1214 {
+                                                            if _e1214 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1216 = global_10.member[_e1213];
+                                                            phi_1743_ = _e1216;
+                                                        } else {
+                                                            phi_1743_ = 0u;
+                                                        }
+                                                        let _e1218 = phi_1743_;
+                                                        let _e1223 = (_e1164 + 6u);
+                                                        let _e1224 = (_e1223 + _e362);
+                                                        let _e1225 = (_e1224 < _e103);
+                                                        if _e1225 {
+                                                            if _e1225 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1227 = global_10.member[_e1224];
+                                                            phi_1763_ = _e1227;
+                                                        } else {
+                                                            phi_1763_ = 0u;
+                                                        }
+                                                        let _e1229 = phi_1763_;
+                                                        let _e1233 = (_e1223 + _e361);
+                                                        let _e1234 = (_e1233 < _e103);
+                                                        if _e1234 {
+                                                            if _e1234 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1236 = global_10.member[_e1233];
+                                                            phi_1781_ = _e1236;
+                                                        } else {
+                                                            phi_1781_ = 0u;
+                                                        }
+                                                        let _e1238 = phi_1781_;
+                                                        let _e1242 = (_e1223 + _e363);
+                                                        let _e1243 = (_e1242 < _e103);
+                                                        if _e1243 {
                                                             if _e1243 {
-                                                                let _e1244 = (_e1239.member_1 < 3u);
-                                                                if _e1244 {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1246 = local_10[_e1239.member_1];
-                                                                if (_e1239.member_1 < 4u) {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1249 = local_12[_e1239.member_1];
-                                                                switch bitcast<i32>(_e1164) {
-                                                                    case 0: {
-                                                                        phi_1427_ = (_e1249 + (f32(((_e1216 >> bitcast<u32>(((10u * _e1246) & 31u))) & 1023u)) * _e163));
-                                                                        break;
-                                                                    }
-                                                                    case 1: {
-                                                                        if (_e1246 == 0u) {
-                                                                            phi_1404_ = _e1216;
-                                                                        } else {
-                                                                            if (_e1246 == 1u) {
-                                                                                phi_1403_ = ((_e1216 >> bitcast<u32>(21i)) | (_e1222 << bitcast<u32>(11i)));
-                                                                            } else {
-                                                                                phi_1403_ = (_e1222 >> bitcast<u32>(10i));
-                                                                            }
-                                                                            let _e1270 = phi_1403_;
-                                                                            phi_1404_ = _e1270;
-                                                                        }
-                                                                        let _e1272 = phi_1404_;
-                                                                        phi_1427_ = (_e1249 + (f32((_e1272 & 2097151u)) * _e163));
-                                                                        break;
-                                                                    }
-                                                                    case 2: {
-                                                                        let _e1251 = (_e1211 + _e1246);
-                                                                        let _e1252 = (_e1251 < _e107);
-                                                                        if _e1252 {
-                                                                            if _e1252 {
-                                                                            } else {
-                                                                                phi_3972_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1254 = global_10.member[_e1251];
-                                                                            phi_1423_ = _e1254;
-                                                                        } else {
-                                                                            phi_1423_ = 0u;
-                                                                        }
-                                                                        let _e1256 = phi_1423_;
-                                                                        phi_1427_ = (f32(bitcast<i32>(_e1256)) * _e163);
-                                                                        break;
-                                                                    }
-                                                                    default: {
-                                                                        phi_1427_ = f32();
-                                                                        break;
-                                                                    }
-                                                                }
-                                                                let _e1286 = phi_1427_;
-                                                                if (_e1205.member_1 < 3u) {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e1244 {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                local_11[_e1205.member_1][_e1239.member_1] = _e1286;
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1333_ = _e1237;
-                                                                phi_3972_ = _e1188;
-                                                                break if !(_e1243);
-                                                            }
-                                                        }
-                                                        let _e1292 = phi_3972_;
-                                                        phi_4054_ = _e1292;
-                                                        if _e1292 {
-                                                            break;
-                                                        }
-                                                        phi_4055_ = _e1292;
-                                                    } else {
-                                                        phi_4055_ = _e1188;
-                                                    }
-                                                    let _e1294 = phi_4055_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_3979_ = _e1294;
-                                                        phi_1268_ = _e1203;
-                                                        phi_4054_ = _e1294;
-                                                        break if !(_e1209);
-                                                    }
-                                                }
-                                                let _e1297 = phi_4054_;
-                                                phi_4056_ = _e1297;
-                                                if _e1297 {
-                                                    break;
-                                                }
-                                                let _e1298 = local_11;
-                                                let _e1314 = (_e1298[0][2] - _e471);
-                                                let _e1317 = (((_e1298[0][0] - _e398) * _e495) - (_e1314 * _e423));
-                                                let _e1320 = (((_e1298[0][1] - _e435) * _e495) - (_e1314 * _e459));
-                                                let _e1323 = (_e1298[1][2] - _e471);
-                                                let _e1326 = (((_e1298[1][0] - _e398) * _e495) - (_e1323 * _e423));
-                                                let _e1329 = (((_e1298[1][1] - _e435) * _e495) - (_e1323 * _e459));
-                                                let _e1332 = (_e1298[2][2] - _e471);
-                                                let _e1335 = (((_e1298[2][0] - _e398) * _e495) - (_e1332 * _e423));
-                                                let _e1338 = (((_e1298[2][1] - _e435) * _e495) - (_e1332 * _e459));
-                                                let _e1339 = (_e1335 * _e1329);
-                                                let _e1340 = (_e1338 * _e1326);
-                                                let _e1341 = (_e1317 * _e1338);
-                                                let _e1342 = (_e1320 * _e1335);
-                                                let _e1343 = (_e1326 * _e1320);
-                                                let _e1344 = (_e1329 * _e1317);
-                                                let _e1349 = (((_e1339 >= _e1340) && (_e1341 >= _e1342)) && (_e1343 >= _e1344));
-                                                if (_e1349 || (((_e1339 <= _e1340) && (_e1341 <= _e1342)) && (_e1343 <= _e1344))) {
-                                                    let _e1356 = select(-1f, 1f, _e1349);
-                                                    let _e1358 = ((_e1339 - _e1340) * _e1356);
-                                                    let _e1360 = select(0f, _e1358, (_e1358 > 0f));
-                                                    let _e1362 = ((_e1341 - _e1342) * _e1356);
-                                                    let _e1364 = select(0f, _e1362, (_e1362 > 0f));
-                                                    let _e1366 = ((_e1343 - _e1344) * _e1356);
-                                                    let _e1368 = select(0f, _e1366, (_e1366 > 0f));
-                                                    let _e1370 = ((_e1360 + _e1364) + _e1368);
-                                                    if (_e1370 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2022_ = type_25();
-                                                        phi_2023_ = true;
-                                                    } else {
-                                                        let _e1373 = select(_e1298[1][0], _e1298[0][0], (_e1298[0][0] < _e1298[1][0]));
-                                                        let _e1377 = select(_e1298[1][0], _e1298[0][0], (_e1298[0][0] > _e1298[1][0]));
-                                                        let _e1381 = select(_e1298[1][1], _e1298[0][1], (_e1298[0][1] < _e1298[1][1]));
-                                                        let _e1385 = select(_e1298[1][1], _e1298[0][1], (_e1298[0][1] > _e1298[1][1]));
-                                                        let _e1389 = select(_e1298[1][2], _e1298[0][2], (_e1298[0][2] < _e1298[1][2]));
-                                                        let _e1393 = select(_e1298[1][2], _e1298[0][2], (_e1298[0][2] > _e1298[1][2]));
-                                                        let _e1398 = ((select(_e1298[2][0], _e1373, (_e1373 < _e1298[2][0])) - _e421) * _e426);
-                                                        let _e1399 = ((select(_e1298[2][0], _e1377, (_e1377 > _e1298[2][0])) - _e422) * _e426);
-                                                        let _e1402 = ((select(_e1298[2][1], _e1381, (_e1381 < _e1298[2][1])) - _e457) * _e462);
-                                                        let _e1403 = ((select(_e1298[2][1], _e1385, (_e1385 > _e1298[2][1])) - _e458) * _e462);
-                                                        let _e1406 = ((select(_e1298[2][2], _e1389, (_e1389 < _e1298[2][2])) - _e493) * _e498);
-                                                        let _e1407 = ((select(_e1298[2][2], _e1393, (_e1393 > _e1298[2][2])) - _e494) * _e498);
-                                                        let _e1409 = select(_e1407, _e1406, (_e1406 < _e1407));
-                                                        let _e1411 = select(_e1407, _e1406, (_e1406 > _e1407));
-                                                        let _e1413 = select(_e1399, _e1398, (_e1398 < _e1399));
-                                                        let _e1415 = select(_e1403, _e1402, (_e1402 < _e1403));
-                                                        let _e1417 = select(_e1415, _e1413, (_e1413 > _e1415));
-                                                        let _e1419 = select(_e1409, _e1417, (_e1417 > _e1409));
-                                                        let _e1421 = select(_e1399, _e1398, (_e1398 > _e1399));
-                                                        let _e1423 = select(_e1403, _e1402, (_e1402 > _e1403));
-                                                        let _e1425 = select(_e1423, _e1421, (_e1421 < _e1423));
-                                                        let _e1427 = select(_e1411, _e1425, (_e1425 < _e1411));
-                                                        let _e1428 = -(_e1409);
-                                                        let _e1434 = select(_e544, _e1419, (_e1419 > _e544));
-                                                        if (_e1434 > (_e1427 + (select(_e1428, _e1411, (_e1411 > _e1428)) * 0.0000019073523f))) {
-                                                            phi_2017_ = type_25();
-                                                            phi_2018_ = true;
-                                                        } else {
-                                                            let _e1436 = (_e1434 > _e1098.member_1);
-                                                            if _e1436 {
-                                                                phi_2016_ = type_25();
                                                             } else {
-                                                                let _e1440 = (_e1298[1][0] - _e1298[0][0]);
-                                                                let _e1441 = (_e1298[1][1] - _e1298[0][1]);
-                                                                let _e1442 = (_e1298[1][2] - _e1298[0][2]);
-                                                                let _e1443 = vec3<f32>(_e1440, _e1441, _e1442);
-                                                                let _e1444 = (_e1298[2][0] - _e1298[1][0]);
-                                                                let _e1445 = (_e1298[2][1] - _e1298[1][1]);
-                                                                let _e1446 = (_e1298[2][2] - _e1298[1][2]);
-                                                                let _e1447 = vec3<f32>(_e1444, _e1445, _e1446);
-                                                                let _e1448 = (_e1298[0][0] - _e1298[2][0]);
-                                                                let _e1449 = (_e1298[0][1] - _e1298[2][1]);
-                                                                let _e1450 = (_e1298[0][2] - _e1298[2][2]);
-                                                                let _e1451 = vec3<f32>(_e1448, _e1449, _e1450);
-                                                                let _e1454 = bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u));
-                                                                let _e1457 = bitcast<f32>((bitcast<u32>(_e1441) & 2147483647u));
-                                                                let _e1459 = select(_e1457, _e1454, (_e1454 > _e1457));
-                                                                let _e1462 = bitcast<f32>((bitcast<u32>(_e1442) & 2147483647u));
-                                                                let _e1464 = select(_e1462, _e1459, (_e1459 > _e1462));
-                                                                let _e1467 = bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u));
-                                                                let _e1470 = bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u));
-                                                                let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
-                                                                let _e1475 = bitcast<f32>((bitcast<u32>(_e1446) & 2147483647u));
-                                                                let _e1477 = select(_e1475, _e1472, (_e1472 > _e1475));
-                                                                let _e1480 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
-                                                                let _e1483 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
-                                                                let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
-                                                                let _e1488 = bitcast<f32>((bitcast<u32>(_e1450) & 2147483647u));
-                                                                let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
-                                                                let _e1492 = select(_e1477, _e1464, (_e1464 > _e1477));
-                                                                let _e1494 = select(_e1490, _e1492, (_e1492 > _e1490));
-                                                                if (_e1464 == _e1494) {
-                                                                    phi_1927_ = _e1447;
-                                                                    phi_1928_ = _e1451;
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1245 = global_10.member[_e1242];
+                                                            phi_1799_ = _e1245;
+                                                        } else {
+                                                            phi_1799_ = 0u;
+                                                        }
+                                                        let _e1247 = phi_1799_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1171)) * _e159), (f32(bitcast<i32>(_e1180)) * _e159), (f32(bitcast<i32>(_e1189)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1200)) * _e159), (f32(bitcast<i32>(_e1209)) * _e159), (f32(bitcast<i32>(_e1218)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1229)) * _e159), (f32(bitcast<i32>(_e1238)) * _e159), (f32(bitcast<i32>(_e1247)) * _e159)));
+                                                        break;
+                                                    }
+                                                    default: {
+                                                        phi_1805_ = array<array<f32, 3>, 3>();
+                                                        break;
+                                                    }
+                                                }
+                                                let _e1521 = phi_1805_;
+                                                let _e1529 = (_e1521[0][2] - _e467);
+                                                let _e1532 = (((_e1521[0][0] - _e394) * _e491) - (_e1529 * _e419));
+                                                let _e1535 = (((_e1521[0][1] - _e431) * _e491) - (_e1529 * _e455));
+                                                let _e1542 = (_e1521[1][2] - _e467);
+                                                let _e1545 = (((_e1521[1][0] - _e394) * _e491) - (_e1542 * _e419));
+                                                let _e1548 = (((_e1521[1][1] - _e431) * _e491) - (_e1542 * _e455));
+                                                let _e1555 = (_e1521[2][2] - _e467);
+                                                let _e1558 = (((_e1521[2][0] - _e394) * _e491) - (_e1555 * _e419));
+                                                let _e1561 = (((_e1521[2][1] - _e431) * _e491) - (_e1555 * _e455));
+                                                let _e1562 = (_e1558 * _e1548);
+                                                let _e1563 = (_e1561 * _e1545);
+                                                let _e1564 = (_e1532 * _e1561);
+                                                let _e1565 = (_e1535 * _e1558);
+                                                let _e1566 = (_e1545 * _e1535);
+                                                let _e1567 = (_e1548 * _e1532);
+                                                let _e1572 = (((_e1562 >= _e1563) && (_e1564 >= _e1565)) && (_e1566 >= _e1567));
+                                                if (_e1572 || (((_e1562 <= _e1563) && (_e1564 <= _e1565)) && (_e1566 <= _e1567))) {
+                                                    let _e1579 = select(-1f, 1f, _e1572);
+                                                    let _e1581 = ((_e1562 - _e1563) * _e1579);
+                                                    let _e1583 = select(0f, _e1581, (_e1581 > 0f));
+                                                    let _e1585 = ((_e1564 - _e1565) * _e1579);
+                                                    let _e1587 = select(0f, _e1585, (_e1585 > 0f));
+                                                    let _e1589 = ((_e1566 - _e1567) * _e1579);
+                                                    let _e1591 = select(0f, _e1589, (_e1589 > 0f));
+                                                    let _e1593 = ((_e1583 + _e1587) + _e1591);
+                                                    if (_e1593 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2371_ = type_25();
+                                                        phi_2372_ = true;
+                                                    } else {
+                                                        let _e1596 = select(_e1521[1][0], _e1521[0][0], (_e1521[0][0] < _e1521[1][0]));
+                                                        let _e1600 = select(_e1521[1][0], _e1521[0][0], (_e1521[0][0] > _e1521[1][0]));
+                                                        let _e1604 = select(_e1521[1][1], _e1521[0][1], (_e1521[0][1] < _e1521[1][1]));
+                                                        let _e1608 = select(_e1521[1][1], _e1521[0][1], (_e1521[0][1] > _e1521[1][1]));
+                                                        let _e1612 = select(_e1521[1][2], _e1521[0][2], (_e1521[0][2] < _e1521[1][2]));
+                                                        let _e1616 = select(_e1521[1][2], _e1521[0][2], (_e1521[0][2] > _e1521[1][2]));
+                                                        let _e1621 = ((select(_e1521[2][0], _e1596, (_e1596 < _e1521[2][0])) - _e417) * _e422);
+                                                        let _e1622 = ((select(_e1521[2][0], _e1600, (_e1600 > _e1521[2][0])) - _e418) * _e422);
+                                                        let _e1625 = ((select(_e1521[2][1], _e1604, (_e1604 < _e1521[2][1])) - _e453) * _e458);
+                                                        let _e1626 = ((select(_e1521[2][1], _e1608, (_e1608 > _e1521[2][1])) - _e454) * _e458);
+                                                        let _e1629 = ((select(_e1521[2][2], _e1612, (_e1612 < _e1521[2][2])) - _e489) * _e494);
+                                                        let _e1630 = ((select(_e1521[2][2], _e1616, (_e1616 > _e1521[2][2])) - _e490) * _e494);
+                                                        let _e1632 = select(_e1630, _e1629, (_e1629 < _e1630));
+                                                        let _e1634 = select(_e1630, _e1629, (_e1629 > _e1630));
+                                                        let _e1636 = select(_e1622, _e1621, (_e1621 < _e1622));
+                                                        let _e1638 = select(_e1626, _e1625, (_e1625 < _e1626));
+                                                        let _e1640 = select(_e1638, _e1636, (_e1636 > _e1638));
+                                                        let _e1642 = select(_e1632, _e1640, (_e1640 > _e1632));
+                                                        let _e1644 = select(_e1622, _e1621, (_e1621 > _e1622));
+                                                        let _e1646 = select(_e1626, _e1625, (_e1625 > _e1626));
+                                                        let _e1648 = select(_e1646, _e1644, (_e1644 < _e1646));
+                                                        let _e1650 = select(_e1634, _e1648, (_e1648 < _e1634));
+                                                        let _e1651 = -(_e1632);
+                                                        let _e1657 = select(_e540, _e1642, (_e1642 > _e540));
+                                                        if (_e1657 > (_e1650 + (select(_e1651, _e1634, (_e1634 > _e1651)) * 0.0000019073523f))) {
+                                                            phi_2366_ = type_25();
+                                                            phi_2367_ = true;
+                                                        } else {
+                                                            let _e1659 = (_e1657 > _e1092.member_1);
+                                                            if _e1659 {
+                                                                phi_2365_ = type_25();
+                                                            } else {
+                                                                let _e1663 = (_e1521[1][0] - _e1521[0][0]);
+                                                                let _e1664 = (_e1521[1][1] - _e1521[0][1]);
+                                                                let _e1665 = (_e1521[1][2] - _e1521[0][2]);
+                                                                let _e1666 = vec3<f32>(_e1663, _e1664, _e1665);
+                                                                let _e1667 = (_e1521[2][0] - _e1521[1][0]);
+                                                                let _e1668 = (_e1521[2][1] - _e1521[1][1]);
+                                                                let _e1669 = (_e1521[2][2] - _e1521[1][2]);
+                                                                let _e1670 = vec3<f32>(_e1667, _e1668, _e1669);
+                                                                let _e1671 = (_e1521[0][0] - _e1521[2][0]);
+                                                                let _e1672 = (_e1521[0][1] - _e1521[2][1]);
+                                                                let _e1673 = (_e1521[0][2] - _e1521[2][2]);
+                                                                let _e1674 = vec3<f32>(_e1671, _e1672, _e1673);
+                                                                let _e1677 = bitcast<f32>((bitcast<u32>(_e1663) & 2147483647u));
+                                                                let _e1680 = bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u));
+                                                                let _e1682 = select(_e1680, _e1677, (_e1677 > _e1680));
+                                                                let _e1685 = bitcast<f32>((bitcast<u32>(_e1665) & 2147483647u));
+                                                                let _e1687 = select(_e1685, _e1682, (_e1682 > _e1685));
+                                                                let _e1690 = bitcast<f32>((bitcast<u32>(_e1667) & 2147483647u));
+                                                                let _e1693 = bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u));
+                                                                let _e1695 = select(_e1693, _e1690, (_e1690 > _e1693));
+                                                                let _e1698 = bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u));
+                                                                let _e1700 = select(_e1698, _e1695, (_e1695 > _e1698));
+                                                                let _e1703 = bitcast<f32>((bitcast<u32>(_e1671) & 2147483647u));
+                                                                let _e1706 = bitcast<f32>((bitcast<u32>(_e1672) & 2147483647u));
+                                                                let _e1708 = select(_e1706, _e1703, (_e1703 > _e1706));
+                                                                let _e1711 = bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u));
+                                                                let _e1713 = select(_e1711, _e1708, (_e1708 > _e1711));
+                                                                let _e1715 = select(_e1700, _e1687, (_e1687 > _e1700));
+                                                                let _e1717 = select(_e1713, _e1715, (_e1715 > _e1713));
+                                                                if (_e1687 == _e1717) {
+                                                                    phi_2276_ = _e1670;
+                                                                    phi_2277_ = _e1674;
                                                                 } else {
-                                                                    let _e1497 = vec3((_e1477 == _e1494));
-                                                                    phi_1927_ = select(_e1443, _e1451, _e1497);
-                                                                    phi_1928_ = select(_e1447, _e1443, _e1497);
+                                                                    let _e1720 = vec3((_e1700 == _e1717));
+                                                                    phi_2276_ = select(_e1666, _e1674, _e1720);
+                                                                    phi_2277_ = select(_e1670, _e1666, _e1720);
                                                                 }
-                                                                let _e1501 = phi_1927_;
-                                                                let _e1503 = phi_1928_;
-                                                                let _e1510 = ((_e1501.y * _e1503.z) - (_e1503.y * _e1501.z));
-                                                                let _e1515 = ((_e1501.z * _e1503.x) - (_e1503.z * _e1501.x));
-                                                                let _e1518 = ((_e1501.x * _e1503.y) - (_e1503.x * _e1501.y));
-                                                                if (_e1360 >= _e1364) {
-                                                                    phi_1959_ = select(true, false, (_e1360 >= _e1368));
+                                                                let _e1724 = phi_2276_;
+                                                                let _e1726 = phi_2277_;
+                                                                let _e1733 = ((_e1724.y * _e1726.z) - (_e1726.y * _e1724.z));
+                                                                let _e1738 = ((_e1724.z * _e1726.x) - (_e1726.z * _e1724.x));
+                                                                let _e1741 = ((_e1724.x * _e1726.y) - (_e1726.x * _e1724.y));
+                                                                if (_e1583 >= _e1587) {
+                                                                    phi_2308_ = select(true, false, (_e1583 >= _e1591));
                                                                 } else {
-                                                                    phi_1959_ = true;
+                                                                    phi_2308_ = true;
                                                                 }
-                                                                let _e1523 = phi_1959_;
-                                                                if _e1523 {
-                                                                    phi_1968_ = select(vec3<f32>(_e1298[2][0], _e1298[2][1], _e1298[2][2]), vec3<f32>(_e1298[1][0], _e1298[1][1], _e1298[1][2]), vec3((_e1364 >= _e1368)));
+                                                                let _e1746 = phi_2308_;
+                                                                if _e1746 {
+                                                                    phi_2317_ = select(vec3<f32>(_e1521[2][0], _e1521[2][1], _e1521[2][2]), vec3<f32>(_e1521[1][0], _e1521[1][1], _e1521[1][2]), vec3((_e1587 >= _e1591)));
                                                                 } else {
-                                                                    phi_1968_ = vec3<f32>(_e1298[0][0], _e1298[0][1], _e1298[0][2]);
+                                                                    phi_2317_ = vec3<f32>(_e1521[0][0], _e1521[0][1], _e1521[0][2]);
                                                                 }
-                                                                let _e1528 = phi_1968_;
-                                                                let _e1545 = ((((_e1510 * (_e1528.x - _e398)) + (_e1515 * (_e1528.y - _e435))) + (_e1518 * (_e1528.z - _e471))) / (((_e1510 * _e423) + (_e1515 * _e459)) + (_e1518 * _e495)));
-                                                                let _e1547 = select(_e1427, _e1545, (_e1545 < _e1427));
-                                                                let _e1549 = select(_e1419, _e1547, (_e1547 > _e1419));
-                                                                if (_e1549 >= _e544) {
-                                                                    let _e1551 = (_e1549 <= _e1098.member_1);
-                                                                    if _e1551 {
-                                                                        let _e1552 = (1f / _e1370);
-                                                                        phi_2008_ = type_25(_e1549, (_e1364 * _e1552), (_e1368 * _e1552), _e1158);
+                                                                let _e1751 = phi_2317_;
+                                                                let _e1768 = ((((_e1733 * (_e1751.x - _e394)) + (_e1738 * (_e1751.y - _e431))) + (_e1741 * (_e1751.z - _e467))) / (((_e1733 * _e419) + (_e1738 * _e455)) + (_e1741 * _e491)));
+                                                                let _e1770 = select(_e1650, _e1768, (_e1768 < _e1650));
+                                                                let _e1772 = select(_e1642, _e1770, (_e1770 > _e1642));
+                                                                if (_e1772 >= _e540) {
+                                                                    let _e1774 = (_e1772 <= _e1092.member_1);
+                                                                    if _e1774 {
+                                                                        let _e1775 = (1f / _e1593);
+                                                                        phi_2357_ = type_25(_e1772, (_e1587 * _e1775), (_e1591 * _e1775), _e1152);
                                                                     } else {
-                                                                        phi_2008_ = type_25();
+                                                                        phi_2357_ = type_25();
                                                                     }
-                                                                    let _e1557 = phi_2008_;
-                                                                    phi_2010_ = _e1557;
-                                                                    phi_2011_ = select(true, false, _e1551);
+                                                                    let _e1780 = phi_2357_;
+                                                                    phi_2359_ = _e1780;
+                                                                    phi_2360_ = select(true, false, _e1774);
                                                                 } else {
-                                                                    phi_2010_ = type_25();
-                                                                    phi_2011_ = true;
+                                                                    phi_2359_ = type_25();
+                                                                    phi_2360_ = true;
                                                                 }
-                                                                let _e1560 = phi_2010_;
-                                                                let _e1562 = phi_2011_;
-                                                                if _e1562 {
-                                                                    phi_2015_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1783 = phi_2359_;
+                                                                let _e1785 = phi_2360_;
+                                                                if _e1785 {
+                                                                    phi_2364_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2015_ = _e1560;
+                                                                    phi_2364_ = _e1783;
                                                                 }
-                                                                let _e1564 = phi_2015_;
-                                                                phi_2016_ = _e1564;
+                                                                let _e1787 = phi_2364_;
+                                                                phi_2365_ = _e1787;
                                                             }
-                                                            let _e1566 = phi_2016_;
-                                                            phi_2017_ = _e1566;
-                                                            phi_2018_ = _e1436;
+                                                            let _e1789 = phi_2365_;
+                                                            phi_2366_ = _e1789;
+                                                            phi_2367_ = _e1659;
                                                         }
-                                                        let _e1568 = phi_2017_;
-                                                        let _e1570 = phi_2018_;
-                                                        phi_2022_ = _e1568;
-                                                        phi_2023_ = _e1570;
+                                                        let _e1791 = phi_2366_;
+                                                        let _e1793 = phi_2367_;
+                                                        phi_2371_ = _e1791;
+                                                        phi_2372_ = _e1793;
                                                     }
-                                                    let _e1572 = phi_2022_;
-                                                    let _e1574 = phi_2023_;
-                                                    phi_2027_ = _e1572;
-                                                    phi_2028_ = _e1574;
+                                                    let _e1795 = phi_2371_;
+                                                    let _e1797 = phi_2372_;
+                                                    phi_2376_ = _e1795;
+                                                    phi_2377_ = _e1797;
                                                 } else {
-                                                    phi_2027_ = type_25();
-                                                    phi_2028_ = true;
+                                                    phi_2376_ = type_25();
+                                                    phi_2377_ = true;
                                                 }
-                                                let _e1576 = phi_2027_;
-                                                let _e1578 = phi_2028_;
-                                                if _e1578 {
-                                                    phi_2032_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1799 = phi_2376_;
+                                                let _e1801 = phi_2377_;
+                                                if _e1801 {
+                                                    phi_2381_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2032_ = _e1576;
+                                                    phi_2381_ = _e1799;
                                                 }
-                                                let _e1580 = phi_2032_;
-                                                if (_e1580.member_3 != 4294967295u) {
-                                                    if (_e1158 == _e172) {
-                                                        phi_2361_ = false;
+                                                let _e1803 = phi_2381_;
+                                                if (_e1803.member_3 != 4294967295u) {
+                                                    if (_e1152 == _e168) {
+                                                        phi_2710_ = false;
                                                     } else {
-                                                        let _e1584 = (_e1158 < arrayLength((&global_5.member)));
-                                                        if _e1584 {
-                                                            if _e1584 {
+                                                        let _e1807 = (_e1152 < arrayLength((&global_5.member)));
+                                                        if _e1807 {
+                                                            if _e1807 {
                                                             } else {
-                                                                phi_4056_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1586 = global_5.member[_e1158];
-                                                            phi_2055_ = _e1586;
+                                                            let _e1809 = global_5.member[_e1152];
+                                                            phi_2404_ = _e1809;
                                                         } else {
-                                                            phi_2055_ = 4294967295u;
+                                                            phi_2404_ = 4294967295u;
                                                         }
-                                                        let _e1588 = phi_2055_;
-                                                        let _e1589 = (_e1588 < arrayLength((&global_6.member)));
-                                                        if _e1589 {
-                                                            if _e1589 {
+                                                        let _e1811 = phi_2404_;
+                                                        let _e1812 = (_e1811 < arrayLength((&global_6.member)));
+                                                        if _e1812 {
+                                                            if _e1812 {
                                                             } else {
-                                                                phi_4056_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1591 = global_6.member[_e1588];
-                                                            phi_2069_ = _e1591;
+                                                            let _e1814 = global_6.member[_e1811];
+                                                            phi_2418_ = _e1814;
                                                         } else {
-                                                            phi_2069_ = 0i;
+                                                            phi_2418_ = 0i;
                                                         }
-                                                        let _e1593 = phi_2069_;
-                                                        let _e1594 = (_e1593 == 0i);
-                                                        if _e1594 {
-                                                            phi_2360_ = true;
+                                                        let _e1816 = phi_2418_;
+                                                        let _e1817 = (_e1816 == 0i);
+                                                        if _e1817 {
+                                                            phi_2709_ = true;
                                                         } else {
-                                                            if _e390 {
-                                                                phi_2090_ = vec3<f32>(_e1298[0][0], _e1298[0][1], _e1298[0][2]);
+                                                            if _e386 {
+                                                                phi_2439_ = vec3<f32>(_e1521[0][0], _e1521[0][1], _e1521[0][2]);
                                                             } else {
-                                                                if (_e366 == 1u) {
-                                                                    phi_2089_ = vec3<f32>(_e1298[0][2], _e1298[0][0], _e1298[0][1]);
+                                                                if (_e362 == 1u) {
+                                                                    phi_2438_ = vec3<f32>(_e1521[0][2], _e1521[0][0], _e1521[0][1]);
                                                                 } else {
-                                                                    phi_2089_ = vec3<f32>(_e1298[0][1], _e1298[0][2], _e1298[0][0]);
+                                                                    phi_2438_ = vec3<f32>(_e1521[0][1], _e1521[0][2], _e1521[0][0]);
                                                                 }
-                                                                let _e1599 = phi_2089_;
-                                                                phi_2090_ = _e1599;
+                                                                let _e1822 = phi_2438_;
+                                                                phi_2439_ = _e1822;
                                                             }
-                                                            let _e1602 = phi_2090_;
-                                                            if _e390 {
-                                                                phi_2107_ = vec3<f32>(_e1298[1][0], _e1298[1][1], _e1298[1][2]);
+                                                            let _e1825 = phi_2439_;
+                                                            if _e386 {
+                                                                phi_2456_ = vec3<f32>(_e1521[1][0], _e1521[1][1], _e1521[1][2]);
                                                             } else {
-                                                                if (_e366 == 1u) {
-                                                                    phi_2106_ = vec3<f32>(_e1298[1][2], _e1298[1][0], _e1298[1][1]);
+                                                                if (_e362 == 1u) {
+                                                                    phi_2455_ = vec3<f32>(_e1521[1][2], _e1521[1][0], _e1521[1][1]);
                                                                 } else {
-                                                                    phi_2106_ = vec3<f32>(_e1298[1][1], _e1298[1][2], _e1298[1][0]);
+                                                                    phi_2455_ = vec3<f32>(_e1521[1][1], _e1521[1][2], _e1521[1][0]);
                                                                 }
-                                                                let _e1607 = phi_2106_;
-                                                                phi_2107_ = _e1607;
+                                                                let _e1830 = phi_2455_;
+                                                                phi_2456_ = _e1830;
                                                             }
-                                                            let _e1610 = phi_2107_;
-                                                            if _e390 {
-                                                                phi_2124_ = vec3<f32>(_e1298[2][0], _e1298[2][1], _e1298[2][2]);
+                                                            let _e1833 = phi_2456_;
+                                                            if _e386 {
+                                                                phi_2473_ = vec3<f32>(_e1521[2][0], _e1521[2][1], _e1521[2][2]);
                                                             } else {
-                                                                if (_e366 == 1u) {
-                                                                    phi_2123_ = vec3<f32>(_e1298[2][2], _e1298[2][0], _e1298[2][1]);
+                                                                if (_e362 == 1u) {
+                                                                    phi_2472_ = vec3<f32>(_e1521[2][2], _e1521[2][0], _e1521[2][1]);
                                                                 } else {
-                                                                    phi_2123_ = vec3<f32>(_e1298[2][1], _e1298[2][2], _e1298[2][0]);
+                                                                    phi_2472_ = vec3<f32>(_e1521[2][1], _e1521[2][2], _e1521[2][0]);
                                                                 }
-                                                                let _e1615 = phi_2123_;
-                                                                phi_2124_ = _e1615;
+                                                                let _e1838 = phi_2472_;
+                                                                phi_2473_ = _e1838;
                                                             }
-                                                            let _e1618 = phi_2124_;
-                                                            let _e1621 = (_e1610.x - _e1602.x);
-                                                            let _e1624 = (_e1610.y - _e1602.y);
-                                                            let _e1627 = (_e1610.z - _e1602.z);
-                                                            let _e1629 = (_e1618.x - _e1602.x);
-                                                            let _e1631 = (_e1618.y - _e1602.y);
-                                                            let _e1633 = (_e1618.z - _e1602.z);
-                                                            if (_e244.member_1 == 1u) {
-                                                                phi_2160_ = (vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]) - _e1602);
+                                                            let _e1841 = phi_2473_;
+                                                            let _e1844 = (_e1833.x - _e1825.x);
+                                                            let _e1847 = (_e1833.y - _e1825.y);
+                                                            let _e1850 = (_e1833.z - _e1825.z);
+                                                            let _e1852 = (_e1841.x - _e1825.x);
+                                                            let _e1854 = (_e1841.y - _e1825.y);
+                                                            let _e1856 = (_e1841.z - _e1825.z);
+                                                            if (_e240.member_1 == 1u) {
+                                                                phi_2509_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e1825);
                                                             } else {
-                                                                phi_2160_ = vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]);
+                                                                phi_2509_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
                                                             }
-                                                            let _e1648 = phi_2160_;
-                                                            let _e1654 = bitcast<f32>((bitcast<u32>((_e1621 * _e1631)) ^ _e244.member_3[0]));
-                                                            let _e1658 = bitcast<f32>((bitcast<u32>((_e1624 * _e1629)) ^ _e244.member_3[0]));
-                                                            let _e1662 = bitcast<f32>((bitcast<u32>((_e1624 * _e1633)) ^ _e244.member_3[0]));
-                                                            let _e1666 = bitcast<f32>((bitcast<u32>((_e1627 * _e1631)) ^ _e244.member_3[0]));
-                                                            let _e1670 = bitcast<f32>((bitcast<u32>((_e1627 * _e1629)) ^ _e244.member_3[0]));
-                                                            let _e1674 = bitcast<f32>((bitcast<u32>((_e1621 * _e1633)) ^ _e244.member_3[0]));
-                                                            let _e1675 = (_e1662 - _e1666);
-                                                            let _e1676 = (_e1670 - _e1674);
-                                                            let _e1677 = (_e1654 - _e1658);
-                                                            let _e1701 = (bitcast<f32>((bitcast<u32>(_e1662) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1666) & 2147483647u)));
-                                                            let _e1708 = (bitcast<f32>((bitcast<u32>(_e1670) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u)));
-                                                            let _e1715 = (bitcast<f32>((bitcast<u32>(_e1654) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1658) & 2147483647u)));
-                                                            if (_e244.member_2 == 0f) {
-                                                                phi_2342_ = 0f;
+                                                            let _e1871 = phi_2509_;
+                                                            let _e1877 = bitcast<f32>((bitcast<u32>((_e1844 * _e1854)) ^ _e240.member_3[0]));
+                                                            let _e1881 = bitcast<f32>((bitcast<u32>((_e1847 * _e1852)) ^ _e240.member_3[0]));
+                                                            let _e1885 = bitcast<f32>((bitcast<u32>((_e1847 * _e1856)) ^ _e240.member_3[0]));
+                                                            let _e1889 = bitcast<f32>((bitcast<u32>((_e1850 * _e1854)) ^ _e240.member_3[0]));
+                                                            let _e1893 = bitcast<f32>((bitcast<u32>((_e1850 * _e1852)) ^ _e240.member_3[0]));
+                                                            let _e1897 = bitcast<f32>((bitcast<u32>((_e1844 * _e1856)) ^ _e240.member_3[0]));
+                                                            let _e1898 = (_e1885 - _e1889);
+                                                            let _e1899 = (_e1893 - _e1897);
+                                                            let _e1900 = (_e1877 - _e1881);
+                                                            let _e1924 = (bitcast<f32>((bitcast<u32>(_e1885) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1889) & 2147483647u)));
+                                                            let _e1931 = (bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1897) & 2147483647u)));
+                                                            let _e1938 = (bitcast<f32>((bitcast<u32>(_e1877) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1881) & 2147483647u)));
+                                                            if (_e240.member_2 == 0f) {
+                                                                phi_2691_ = 0f;
                                                             } else {
-                                                                let _e1745 = bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u));
-                                                                let _e1748 = bitcast<f32>((bitcast<u32>(_e1676) & 2147483647u));
-                                                                let _e1751 = bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u));
-                                                                let _e1753 = select(_e1751, _e1748, (_e1748 > _e1751));
-                                                                let _e1757 = select(_e1751, _e1748, (_e1748 < _e1751));
-                                                                let _e1761 = select(_e1748, _e1745, (_e1745 < _e1748));
-                                                                let _e1763 = select(_e1748, _e1745, (_e1745 > _e1748));
-                                                                let _e1765 = select(_e1751, _e1763, (_e1763 < _e1751));
-                                                                phi_2342_ = bitcast<f32>((bitcast<u32>((_e244.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1753, _e1745, (_e1745 > _e1753)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1765, _e1761, (_e1761 > _e1765)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1757, _e1745, (_e1745 < _e1757)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1701 + _e1708) + _e1715))) ^ _e244.member_3[0]))) * 1.0000005f)) ^ _e244.member_3[0])))) ^ _e244.member_3[0]));
+                                                                let _e1968 = bitcast<f32>((bitcast<u32>(_e1898) & 2147483647u));
+                                                                let _e1971 = bitcast<f32>((bitcast<u32>(_e1899) & 2147483647u));
+                                                                let _e1974 = bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u));
+                                                                let _e1976 = select(_e1974, _e1971, (_e1971 > _e1974));
+                                                                let _e1980 = select(_e1974, _e1971, (_e1971 < _e1974));
+                                                                let _e1984 = select(_e1971, _e1968, (_e1968 < _e1971));
+                                                                let _e1986 = select(_e1971, _e1968, (_e1968 > _e1971));
+                                                                let _e1988 = select(_e1974, _e1986, (_e1986 < _e1974));
+                                                                phi_2691_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1976, _e1968, (_e1968 > _e1976)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1988, _e1984, (_e1984 > _e1988)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1980, _e1968, (_e1968 < _e1980)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1924 + _e1931) + _e1938))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
                                                             }
-                                                            let _e1792 = phi_2342_;
-                                                            phi_2360_ = (_e1594 || !(((((bitcast<f32>((bitcast<u32>((_e1648.x * _e1675)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1648.y * _e1676)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1648.z * _e1677)) ^ _e244.member_3[0]))) * f32(-(_e1593))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1648.x) & 2147483647u)) * _e1701)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1648.y) & 2147483647u)) * _e1708)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1648.z) & 2147483647u)) * _e1715)) ^ _e244.member_3[0]))))) ^ _e244.member_3[0])) + _e1792) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2015 = phi_2691_;
+                                                            phi_2709_ = (_e1817 || !(((((bitcast<f32>((bitcast<u32>((_e1871.x * _e1898)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1871.y * _e1899)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1871.z * _e1900)) ^ _e240.member_3[0]))) * f32(-(_e1816))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.x) & 2147483647u)) * _e1924)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.y) & 2147483647u)) * _e1931)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.z) & 2147483647u)) * _e1938)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2015) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1806 = phi_2360_;
-                                                        phi_2361_ = _e1806;
+                                                        let _e2029 = phi_2709_;
+                                                        phi_2710_ = _e2029;
                                                     }
-                                                    let _e1808 = phi_2361_;
-                                                    if _e1808 {
-                                                        if (_e1580.member < _e1098.member.member) {
-                                                            phi_2381_ = true;
+                                                    let _e2031 = phi_2710_;
+                                                    if _e2031 {
+                                                        if (_e1803.member < _e1092.member.member) {
+                                                            phi_2730_ = true;
                                                         } else {
-                                                            if (_e1580.member == _e1098.member.member) {
-                                                                phi_2380_ = (_e1580.member_3 < _e1098.member.member_3);
+                                                            if (_e1803.member == _e1092.member.member) {
+                                                                phi_2729_ = (_e1803.member_3 < _e1092.member.member_3);
                                                             } else {
-                                                                phi_2380_ = false;
+                                                                phi_2729_ = false;
                                                             }
-                                                            let _e1818 = phi_2380_;
-                                                            phi_2381_ = _e1818;
+                                                            let _e2041 = phi_2729_;
+                                                            phi_2730_ = _e2041;
                                                         }
-                                                        let _e1820 = phi_2381_;
-                                                        if _e1820 {
-                                                            phi_2387_ = type_43(_e1580, _e1580.member);
+                                                        let _e2043 = phi_2730_;
+                                                        if _e2043 {
+                                                            phi_2736_ = type_42(_e1803, _e1803.member);
                                                         } else {
-                                                            phi_2387_ = _e1098;
+                                                            phi_2736_ = _e1092;
                                                         }
-                                                        let _e1823 = phi_2387_;
-                                                        phi_2388_ = _e1823;
+                                                        let _e2046 = phi_2736_;
+                                                        phi_2737_ = _e2046;
                                                     } else {
-                                                        phi_2388_ = _e1098;
+                                                        phi_2737_ = _e1092;
                                                     }
-                                                    let _e1825 = phi_2388_;
-                                                    phi_2389_ = _e1825;
+                                                    let _e2048 = phi_2737_;
+                                                    phi_2738_ = _e2048;
                                                 } else {
-                                                    phi_2389_ = _e1098;
+                                                    phi_2738_ = _e1092;
                                                 }
-                                                let _e1827 = phi_2389_;
-                                                phi_4057_ = _e1297;
-                                                phi_1101_ = _e1827;
+                                                let _e2050 = phi_2738_;
+                                                phi_1087_ = _e2050;
                                             } else {
-                                                phi_4057_ = _e1096;
-                                                phi_1101_ = type_43();
+                                                phi_1087_ = type_42();
                                             }
-                                            let _e1829 = phi_4057_;
-                                            let _e1831 = phi_1101_;
+                                            let _e2052 = phi_1087_;
                                             continue;
                                             continuing {
-                                                phi_3994_ = _e1829;
-                                                phi_1100_ = _e1831;
-                                                phi_1103_ = _e1113;
-                                                phi_4056_ = _e1829;
-                                                break if !(_e1119);
+                                                phi_1086_ = _e2052;
+                                                phi_1089_ = _e1107;
+                                                phi_4317_ = _e582;
+                                                break if !(_e1113);
                                             }
                                         }
-                                        let _e1834 = phi_4056_;
-                                        phi_4135_ = _e1834;
-                                        if _e1834 {
+                                        let _e2055 = phi_4317_;
+                                        phi_4502_ = _e2055;
+                                        if _e2055 {
                                             break;
                                         }
-                                        phi_4139_ = _e1834;
-                                        let _e2074 = local_14;
-                                        phi_3629_ = _e2074;
-                                        phi_3630_ = _e627;
-                                        phi_3631_ = false;
-                                        phi_3632_ = _e631;
+                                        phi_4506_ = _e2055;
+                                        let _e2304 = local_11;
+                                        phi_3978_ = _e2304;
+                                        phi_3979_ = _e623;
+                                        phi_3980_ = false;
+                                        phi_3981_ = _e627;
                                     } else {
-                                        if (_e627.member_1 >= _e104) {
-                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e623.member_1 >= _e100) {
+                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e627.member_1 < _e104) {
+                                            if (_e623.member_1 < _e100) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e644 = ((1u + _e366) % 4u);
-                                            if (_e644 < 4u) {
+                                            let _e640 = ((1u + _e362) % 4u);
+                                            if (_e640 < 4u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e649 = global_4.member[_e627.member_1][_e644];
-                                            let _e651 = (_e649 >> bitcast<u32>(11u));
-                                            let _e653 = ((1u + _e365) % 4u);
-                                            if (_e653 < 4u) {
+                                            let _e645 = global_4.member[_e623.member_1][_e640];
+                                            let _e647 = (_e645 >> bitcast<u32>(11u));
+                                            let _e649 = ((1u + _e361) % 4u);
+                                            if (_e649 < 4u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e658 = global_4.member[_e627.member_1][_e653];
-                                            let _e660 = (_e658 >> bitcast<u32>(11u));
-                                            let _e662 = ((1u + _e367) % 4u);
-                                            if (_e662 < 4u) {
+                                            let _e654 = global_4.member[_e623.member_1][_e649];
+                                            let _e656 = (_e654 >> bitcast<u32>(11u));
+                                            let _e658 = ((1u + _e363) % 4u);
+                                            if (_e658 < 4u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e667 = global_4.member[_e627.member_1][_e662];
-                                            let _e669 = (_e667 >> bitcast<u32>(11u));
-                                            let _e692 = (bitcast<f32>((bitcast<u32>((_e627.member.member_1.x - _e627.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e693 = (bitcast<f32>((bitcast<u32>((_e627.member.member_1.y - _e627.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e694 = (bitcast<f32>((bitcast<u32>((_e627.member.member_1.z - _e627.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e696 = select(_e163, _e692, (_e692 > _e163));
-                                            let _e698 = select(_e163, _e693, (_e693 > _e163));
-                                            let _e700 = select(_e163, _e694, (_e694 > _e163));
-                                            let _e725 = bitcast<u32>((f32(bitcast<i32>((_e649 & 1023u))) * _e696));
-                                            let _e730 = (bitcast<i32>((_e649 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e733 = bitcast<f32>((_e725 & bitcast<u32>(_e730)));
-                                            let _e734 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e698));
-                                            let _e739 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e742 = bitcast<f32>((_e734 & bitcast<u32>(_e739)));
-                                            let _e743 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e700));
-                                            let _e748 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e751 = bitcast<f32>((_e743 & bitcast<u32>(_e748)));
-                                            let _e755 = bitcast<f32>((_e725 & bitcast<u32>(~(_e730))));
-                                            let _e759 = bitcast<f32>((_e734 & bitcast<u32>(~(_e739))));
-                                            let _e763 = bitcast<f32>((_e743 & bitcast<u32>(~(_e748))));
-                                            let _e764 = bitcast<u32>((f32(bitcast<i32>((_e651 & 1023u))) * _e696));
-                                            let _e769 = (bitcast<i32>((_e651 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e772 = bitcast<f32>((_e764 & bitcast<u32>(_e769)));
-                                            let _e773 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e698));
-                                            let _e778 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e781 = bitcast<f32>((_e773 & bitcast<u32>(_e778)));
-                                            let _e782 = bitcast<u32>((f32(bitcast<i32>((_e669 & 1023u))) * _e700));
-                                            let _e787 = (bitcast<i32>((_e669 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e790 = bitcast<f32>((_e782 & bitcast<u32>(_e787)));
-                                            let _e794 = bitcast<f32>((_e764 & bitcast<u32>(~(_e769))));
-                                            let _e798 = bitcast<f32>((_e773 & bitcast<u32>(~(_e778))));
-                                            let _e802 = bitcast<f32>((_e782 & bitcast<u32>(~(_e787))));
-                                            let _e803 = (_e627.member.member.x + _e733);
-                                            let _e804 = (_e627.member.member.y + _e742);
-                                            let _e805 = (_e627.member.member.z + _e751);
-                                            let _e808 = (_e627.member.member_1.x - _e772);
-                                            let _e809 = (_e627.member.member_1.y - _e781);
-                                            let _e810 = (_e627.member.member_1.z - _e790);
-                                            let _e829 = (_e808 - _e803);
-                                            let _e830 = (_e809 - _e804);
-                                            let _e831 = (_e810 - _e805);
-                                            let _e833 = select(_e830, _e829, (_e829 > _e830));
-                                            let _e835 = select(_e831, _e833, (_e833 > _e831));
-                                            if (_e835 < (1024f * _e163)) {
-                                                phi_2886_ = 0u;
+                                            let _e663 = global_4.member[_e623.member_1][_e658];
+                                            let _e665 = (_e663 >> bitcast<u32>(11u));
+                                            let _e688 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.x - _e623.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e689 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.y - _e623.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e690 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.z - _e623.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e692 = select(_e159, _e688, (_e688 > _e159));
+                                            let _e694 = select(_e159, _e689, (_e689 > _e159));
+                                            let _e696 = select(_e159, _e690, (_e690 > _e159));
+                                            let _e721 = bitcast<u32>((f32(bitcast<i32>((_e645 & 1023u))) * _e692));
+                                            let _e726 = (bitcast<i32>((_e645 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e729 = bitcast<f32>((_e721 & bitcast<u32>(_e726)));
+                                            let _e730 = bitcast<u32>((f32(bitcast<i32>((_e654 & 1023u))) * _e694));
+                                            let _e735 = (bitcast<i32>((_e654 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e738 = bitcast<f32>((_e730 & bitcast<u32>(_e735)));
+                                            let _e739 = bitcast<u32>((f32(bitcast<i32>((_e663 & 1023u))) * _e696));
+                                            let _e744 = (bitcast<i32>((_e663 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e747 = bitcast<f32>((_e739 & bitcast<u32>(_e744)));
+                                            let _e751 = bitcast<f32>((_e721 & bitcast<u32>(~(_e726))));
+                                            let _e755 = bitcast<f32>((_e730 & bitcast<u32>(~(_e735))));
+                                            let _e759 = bitcast<f32>((_e739 & bitcast<u32>(~(_e744))));
+                                            let _e760 = bitcast<u32>((f32(bitcast<i32>((_e647 & 1023u))) * _e692));
+                                            let _e765 = (bitcast<i32>((_e647 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
+                                            let _e769 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e694));
+                                            let _e774 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e777 = bitcast<f32>((_e769 & bitcast<u32>(_e774)));
+                                            let _e778 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e696));
+                                            let _e783 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e786 = bitcast<f32>((_e778 & bitcast<u32>(_e783)));
+                                            let _e790 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
+                                            let _e794 = bitcast<f32>((_e769 & bitcast<u32>(~(_e774))));
+                                            let _e798 = bitcast<f32>((_e778 & bitcast<u32>(~(_e783))));
+                                            let _e799 = (_e623.member.member.x + _e729);
+                                            let _e800 = (_e623.member.member.y + _e738);
+                                            let _e801 = (_e623.member.member.z + _e747);
+                                            let _e804 = (_e623.member.member_1.x - _e768);
+                                            let _e805 = (_e623.member.member_1.y - _e777);
+                                            let _e806 = (_e623.member.member_1.z - _e786);
+                                            let _e825 = (_e804 - _e799);
+                                            let _e826 = (_e805 - _e800);
+                                            let _e827 = (_e806 - _e801);
+                                            let _e829 = select(_e826, _e825, (_e825 > _e826));
+                                            let _e831 = select(_e827, _e829, (_e829 > _e827));
+                                            if (_e831 < (1024f * _e159)) {
+                                                phi_3235_ = 0u;
                                             } else {
-                                                phi_2886_ = select(2u, 1u, (_e835 < (2097152f * _e163)));
+                                                phi_3235_ = select(2u, 1u, (_e831 < (2097152f * _e159)));
                                             }
-                                            let _e842 = phi_2886_;
-                                            switch bitcast<i32>(_e842) {
+                                            let _e838 = phi_3235_;
+                                            switch bitcast<i32>(_e838) {
                                                 case 0: {
-                                                    phi_2892_ = 1u;
+                                                    phi_3241_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2892_ = 2u;
+                                                    phi_3241_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2892_ = 3u;
+                                                    phi_3241_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2892_ = u32();
+                                                    phi_3241_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e845 = phi_2892_;
-                                            let _e851 = global_4.member[_e627.member_1][0u];
-                                            let _e855 = global_4.member[_e627.member_1][1u];
-                                            let _e859 = global_4.member[_e627.member_1][2u];
-                                            let _e863 = global_4.member[_e627.member_1][3u];
-                                            let _e875 = (((_e855 >> bitcast<u32>(22i)) | ((_e859 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e863 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e876 = (_e851 & 268435455u);
-                                            let _e877 = (_e875 & 268435455u);
-                                            let _e880 = ((_e851 >> bitcast<u32>(28u)) & 7u);
-                                            let _e888 = ((_e851 >> bitcast<u32>(31i)) | (((_e875 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e889 = (_e880 != 0u);
-                                            if (_e880 == 0u) {
-                                                phi_3147_ = _e876;
+                                            let _e841 = phi_3241_;
+                                            let _e847 = global_4.member[_e623.member_1][0u];
+                                            let _e851 = global_4.member[_e623.member_1][1u];
+                                            let _e855 = global_4.member[_e623.member_1][2u];
+                                            let _e859 = global_4.member[_e623.member_1][3u];
+                                            let _e871 = (((_e851 >> bitcast<u32>(22i)) | ((_e855 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e859 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e872 = (_e847 & 268435455u);
+                                            let _e873 = (_e871 & 268435455u);
+                                            let _e876 = ((_e847 >> bitcast<u32>(28u)) & 7u);
+                                            let _e884 = ((_e847 >> bitcast<u32>(31i)) | (((_e871 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e885 = (_e876 != 0u);
+                                            if (_e876 == 0u) {
+                                                phi_3496_ = _e872;
                                             } else {
-                                                if (_e880 == 7u) {
-                                                    phi_3146_ = 2147483648u;
+                                                if (_e876 == 7u) {
+                                                    phi_3495_ = 2147483648u;
                                                 } else {
-                                                    phi_3146_ = ((2147483648u | (_e880 << bitcast<u32>(28u))) | (_e877 & 268435455u));
+                                                    phi_3495_ = ((2147483648u | (_e876 << bitcast<u32>(28u))) | (_e873 & 268435455u));
                                                 }
-                                                let _e898 = phi_3146_;
-                                                phi_3147_ = _e898;
+                                                let _e894 = phi_3495_;
+                                                phi_3496_ = _e894;
                                             }
-                                            let _e900 = phi_3147_;
-                                            if _e889 {
-                                                let _e901 = (_e880 != 7u);
-                                                if _e901 {
-                                                    phi_3157_ = (_e877 + (_e880 * ((3u * _e845) + 1u)));
+                                            let _e896 = phi_3496_;
+                                            if _e885 {
+                                                let _e897 = (_e876 != 7u);
+                                                if _e897 {
+                                                    phi_3506_ = (_e873 + (_e876 * ((3u * _e841) + 1u)));
                                                 } else {
-                                                    phi_3157_ = u32();
+                                                    phi_3506_ = u32();
                                                 }
-                                                let _e905 = phi_3157_;
-                                                phi_3159_ = _e905;
-                                                phi_3160_ = select(true, false, _e901);
+                                                let _e901 = phi_3506_;
+                                                phi_3508_ = _e901;
+                                                phi_3509_ = select(true, false, _e897);
                                             } else {
-                                                phi_3159_ = u32();
-                                                phi_3160_ = true;
+                                                phi_3508_ = u32();
+                                                phi_3509_ = true;
                                             }
-                                            let _e908 = phi_3159_;
-                                            let _e910 = phi_3160_;
-                                            if (_e888 == 0u) {
-                                                phi_3181_ = (_e876 + select(0u, 1u, !(_e889)));
+                                            let _e904 = phi_3508_;
+                                            let _e906 = phi_3509_;
+                                            if (_e884 == 0u) {
+                                                phi_3530_ = (_e872 + select(0u, 1u, !(_e885)));
                                             } else {
-                                                if (_e888 == 7u) {
-                                                    phi_3180_ = 2147483648u;
+                                                if (_e884 == 7u) {
+                                                    phi_3529_ = 2147483648u;
                                                 } else {
-                                                    phi_3180_ = ((2147483648u | (_e888 << bitcast<u32>(28u))) | (select(_e908, _e877, _e910) & 268435455u));
+                                                    phi_3529_ = ((2147483648u | (_e884 << bitcast<u32>(28u))) | (select(_e904, _e873, _e906) & 268435455u));
                                                 }
-                                                let _e923 = phi_3180_;
-                                                phi_3181_ = _e923;
+                                                let _e919 = phi_3529_;
+                                                phi_3530_ = _e919;
                                             }
-                                            let _e925 = phi_3181_;
-                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(_e803, (_e627.member.member.x + _e755), _e808, (_e627.member.member_1.x - _e794)), vec4<f32>(_e804, (_e627.member.member.y + _e759), _e809, (_e627.member.member_1.y - _e798)), vec4<f32>(_e805, (_e627.member.member.z + _e763), _e810, (_e627.member.member_1.z - _e802))), type_60(type_37((_e627.member.member + vec4<f32>(_e733, _e742, _e751, 0f)), (_e627.member.member_1 - vec4<f32>(_e772, _e781, _e790, 0f))), _e900), type_60(type_37((_e627.member.member + vec4<f32>(_e755, _e759, _e763, 0f)), (_e627.member.member_1 - vec4<f32>(_e794, _e798, _e802, 0f))), _e925));
+                                            let _e921 = phi_3530_;
+                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e799, (_e623.member.member.x + _e751), _e804, (_e623.member.member_1.x - _e790)), vec4<f32>(_e800, (_e623.member.member.y + _e755), _e805, (_e623.member.member_1.y - _e794)), vec4<f32>(_e801, (_e623.member.member.z + _e759), _e806, (_e623.member.member_1.z - _e798))), type_57(type_37((_e623.member.member + vec4<f32>(_e729, _e738, _e747, 0f)), (_e623.member.member_1 - vec4<f32>(_e768, _e777, _e786, 0f))), _e896), type_57(type_37((_e623.member.member + vec4<f32>(_e751, _e755, _e759, 0f)), (_e623.member.member_1 - vec4<f32>(_e790, _e794, _e798, 0f))), _e921));
                                         }
-                                        let _e930 = phi_3185_;
-                                        let _e942 = ((_e930.member[0].x - _e421) * _e426);
-                                        let _e943 = ((_e930.member[0].y - _e421) * _e426);
-                                        let _e944 = ((_e930.member[0].z - _e422) * _e426);
-                                        let _e945 = ((_e930.member[0].w - _e422) * _e426);
-                                        let _e955 = ((_e930.member[1].x - _e457) * _e462);
-                                        let _e956 = ((_e930.member[1].y - _e457) * _e462);
-                                        let _e957 = ((_e930.member[1].z - _e458) * _e462);
-                                        let _e958 = ((_e930.member[1].w - _e458) * _e462);
-                                        let _e968 = ((_e930.member[2].x - _e493) * _e498);
-                                        let _e969 = ((_e930.member[2].y - _e493) * _e498);
-                                        let _e970 = ((_e930.member[2].z - _e494) * _e498);
-                                        let _e971 = ((_e930.member[2].w - _e494) * _e498);
-                                        let _e973 = select(_e970, _e968, (_e968 < _e970));
-                                        let _e975 = select(_e971, _e969, (_e969 < _e971));
-                                        let _e977 = select(_e970, _e968, (_e968 > _e970));
-                                        let _e979 = select(_e971, _e969, (_e969 > _e971));
-                                        let _e981 = select(_e944, _e942, (_e942 < _e944));
-                                        let _e983 = select(_e945, _e943, (_e943 < _e945));
-                                        let _e985 = select(_e957, _e955, (_e955 < _e957));
-                                        let _e987 = select(_e958, _e956, (_e956 < _e958));
-                                        let _e989 = select(_e985, _e981, (_e981 > _e985));
-                                        let _e991 = select(_e987, _e983, (_e983 > _e987));
-                                        let _e993 = select(_e973, _e989, (_e989 > _e973));
-                                        let _e995 = select(_e975, _e991, (_e991 > _e975));
-                                        let _e997 = select(_e944, _e942, (_e942 > _e944));
-                                        let _e999 = select(_e945, _e943, (_e943 > _e945));
-                                        let _e1001 = select(_e957, _e955, (_e955 > _e957));
-                                        let _e1003 = select(_e958, _e956, (_e956 > _e958));
-                                        let _e1005 = select(_e1001, _e997, (_e997 < _e1001));
-                                        let _e1007 = select(_e1003, _e999, (_e999 < _e1003));
-                                        let _e1012 = -(_e973);
-                                        let _e1013 = -(_e975);
-                                        let _e1020 = (select(_e977, _e1005, (_e1005 < _e977)) + (select(_e1012, _e977, (_e977 > _e1012)) * 0.0000019073523f));
-                                        let _e1021 = (select(_e979, _e1007, (_e1007 < _e979)) + (select(_e1013, _e979, (_e979 > _e1013)) * 0.0000019073523f));
-                                        let _e1023 = select(_e544, _e993, (_e993 > _e544));
-                                        let _e1025 = select(_e544, _e995, (_e995 > _e544));
-                                        let _e1030 = (_e1023 <= select(_e588.member_1, _e1020, (_e1020 < _e588.member_1)));
-                                        let _e1031 = (_e1025 <= select(_e588.member_1, _e1021, (_e1021 < _e588.member_1)));
-                                        let _e1032 = (_e1023 <= _e1025);
-                                        if _e1030 {
-                                            if _e1031 {
-                                                if _e1032 {
-                                                    phi_3529_ = _e930.member_2;
+                                        let _e926 = phi_3534_;
+                                        let _e938 = ((_e926.member[0].x - _e417) * _e422);
+                                        let _e939 = ((_e926.member[0].y - _e417) * _e422);
+                                        let _e940 = ((_e926.member[0].z - _e418) * _e422);
+                                        let _e941 = ((_e926.member[0].w - _e418) * _e422);
+                                        let _e951 = ((_e926.member[1].x - _e453) * _e458);
+                                        let _e952 = ((_e926.member[1].y - _e453) * _e458);
+                                        let _e953 = ((_e926.member[1].z - _e454) * _e458);
+                                        let _e954 = ((_e926.member[1].w - _e454) * _e458);
+                                        let _e964 = ((_e926.member[2].x - _e489) * _e494);
+                                        let _e965 = ((_e926.member[2].y - _e489) * _e494);
+                                        let _e966 = ((_e926.member[2].z - _e490) * _e494);
+                                        let _e967 = ((_e926.member[2].w - _e490) * _e494);
+                                        let _e969 = select(_e966, _e964, (_e964 < _e966));
+                                        let _e971 = select(_e967, _e965, (_e965 < _e967));
+                                        let _e973 = select(_e966, _e964, (_e964 > _e966));
+                                        let _e975 = select(_e967, _e965, (_e965 > _e967));
+                                        let _e977 = select(_e940, _e938, (_e938 < _e940));
+                                        let _e979 = select(_e941, _e939, (_e939 < _e941));
+                                        let _e981 = select(_e953, _e951, (_e951 < _e953));
+                                        let _e983 = select(_e954, _e952, (_e952 < _e954));
+                                        let _e985 = select(_e981, _e977, (_e977 > _e981));
+                                        let _e987 = select(_e983, _e979, (_e979 > _e983));
+                                        let _e989 = select(_e969, _e985, (_e985 > _e969));
+                                        let _e991 = select(_e971, _e987, (_e987 > _e971));
+                                        let _e993 = select(_e940, _e938, (_e938 > _e940));
+                                        let _e995 = select(_e941, _e939, (_e939 > _e941));
+                                        let _e997 = select(_e953, _e951, (_e951 > _e953));
+                                        let _e999 = select(_e954, _e952, (_e952 > _e954));
+                                        let _e1001 = select(_e997, _e993, (_e993 < _e997));
+                                        let _e1003 = select(_e999, _e995, (_e995 < _e999));
+                                        let _e1008 = -(_e969);
+                                        let _e1009 = -(_e971);
+                                        let _e1016 = (select(_e973, _e1001, (_e1001 < _e973)) + (select(_e1008, _e973, (_e973 > _e1008)) * 0.0000019073523f));
+                                        let _e1017 = (select(_e975, _e1003, (_e1003 < _e975)) + (select(_e1009, _e975, (_e975 > _e1009)) * 0.0000019073523f));
+                                        let _e1019 = select(_e540, _e989, (_e989 > _e540));
+                                        let _e1021 = select(_e540, _e991, (_e991 > _e540));
+                                        let _e1026 = (_e1019 <= select(_e584.member_1, _e1016, (_e1016 < _e584.member_1)));
+                                        let _e1027 = (_e1021 <= select(_e584.member_1, _e1017, (_e1017 < _e584.member_1)));
+                                        let _e1028 = (_e1019 <= _e1021);
+                                        if _e1026 {
+                                            if _e1027 {
+                                                if _e1028 {
+                                                    phi_3878_ = _e926.member_2;
                                                 } else {
-                                                    phi_3529_ = _e930.member_1;
+                                                    phi_3878_ = _e926.member_1;
                                                 }
-                                                let _e1036 = phi_3529_;
-                                                let _e1058 = (_e631 % 128u);
-                                                let _e1059 = (_e1058 < 128u);
-                                                if _e1059 {
+                                                let _e1032 = phi_3878_;
+                                                let _e1054 = (_e627 % 128u);
+                                                let _e1055 = (_e1054 < 128u);
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1058] = _e1036.member_1;
-                                                if _e1059 {
+                                                local_8[_e1054] = _e1032.member_1;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1058] = _e1036.member.member.x;
-                                                if _e1059 {
+                                                local_7[_e1054] = _e1032.member.member.x;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1058] = _e1036.member.member.y;
-                                                if _e1059 {
+                                                local_6[_e1054] = _e1032.member.member.y;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1058] = _e1036.member.member.z;
-                                                if _e1059 {
+                                                local_5[_e1054] = _e1032.member.member.z;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1058] = _e1036.member.member_1.x;
-                                                if _e1059 {
+                                                local_4[_e1054] = _e1032.member.member_1.x;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1058] = _e1036.member.member_1.y;
-                                                if _e1059 {
+                                                local_3[_e1054] = _e1032.member.member_1.y;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1058] = _e1036.member.member_1.z;
-                                                if _e1059 {
+                                                local_2[_e1054] = _e1032.member.member_1.z;
+                                                if _e1055 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1058] = select(_e1025, _e1023, (_e1023 > _e1025));
-                                                if _e1032 {
-                                                    phi_3606_ = _e930.member_1;
+                                                local_9[_e1054] = select(_e1021, _e1019, (_e1019 > _e1021));
+                                                if _e1028 {
+                                                    phi_3955_ = _e926.member_1;
                                                 } else {
-                                                    phi_3606_ = _e930.member_2;
+                                                    phi_3955_ = _e926.member_2;
                                                 }
-                                                let _e1072 = phi_3606_;
-                                                phi_3607_ = _e1072;
-                                                phi_3608_ = (_e631 + 1u);
+                                                let _e1068 = phi_3955_;
+                                                phi_3956_ = _e1068;
+                                                phi_3957_ = (_e627 + 1u);
                                             } else {
-                                                phi_3607_ = type_60();
-                                                phi_3608_ = u32();
+                                                phi_3956_ = type_57();
+                                                phi_3957_ = u32();
                                             }
-                                            let _e1074 = phi_3607_;
-                                            let _e1076 = phi_3608_;
-                                            phi_3610_ = _e1074;
-                                            phi_3611_ = _e1076;
-                                            phi_3612_ = select(true, false, _e1031);
+                                            let _e1070 = phi_3956_;
+                                            let _e1072 = phi_3957_;
+                                            phi_3959_ = _e1070;
+                                            phi_3960_ = _e1072;
+                                            phi_3961_ = select(true, false, _e1027);
                                         } else {
-                                            phi_3610_ = type_60();
-                                            phi_3611_ = u32();
-                                            phi_3612_ = true;
+                                            phi_3959_ = type_57();
+                                            phi_3960_ = u32();
+                                            phi_3961_ = true;
                                         }
-                                        let _e1079 = phi_3610_;
-                                        let _e1081 = phi_3611_;
-                                        let _e1083 = phi_3612_;
-                                        if _e1083 {
-                                            if _e1030 {
-                                                phi_3621_ = _e930.member_1;
+                                        let _e1075 = phi_3959_;
+                                        let _e1077 = phi_3960_;
+                                        let _e1079 = phi_3961_;
+                                        if _e1079 {
+                                            if _e1026 {
+                                                phi_3970_ = _e926.member_1;
                                             } else {
-                                                phi_3621_ = _e930.member_2;
+                                                phi_3970_ = _e926.member_2;
                                             }
-                                            let _e1087 = phi_3621_;
-                                            phi_3626_ = _e1087;
-                                            phi_3627_ = select(_e1031, true, _e1030);
+                                            let _e1083 = phi_3970_;
+                                            phi_3975_ = _e1083;
+                                            phi_3976_ = select(_e1027, true, _e1026);
                                         } else {
-                                            phi_3626_ = _e1079;
-                                            phi_3627_ = _e629;
+                                            phi_3975_ = _e1075;
+                                            phi_3976_ = _e625;
                                         }
-                                        let _e1090 = phi_3626_;
-                                        let _e1092 = phi_3627_;
-                                        phi_4139_ = _e586;
-                                        phi_3629_ = _e588;
-                                        phi_3630_ = _e1090;
-                                        phi_3631_ = _e1092;
-                                        phi_3632_ = select(_e1081, _e631, _e1083);
+                                        let _e1086 = phi_3975_;
+                                        let _e1088 = phi_3976_;
+                                        phi_4506_ = _e582;
+                                        phi_3978_ = _e584;
+                                        phi_3979_ = _e1086;
+                                        phi_3980_ = _e1088;
+                                        phi_3981_ = select(_e1077, _e627, _e1079);
                                     }
-                                    let _e1836 = phi_4139_;
-                                    let _e1838 = phi_3629_;
-                                    let _e1840 = phi_3630_;
-                                    let _e1842 = phi_3631_;
-                                    let _e1844 = phi_3632_;
-                                    phi_4138_ = _e1836;
-                                    phi_3633_ = _e1838;
-                                    phi_3634_ = _e1840;
-                                    phi_3635_ = (_e592 - 1u);
-                                    phi_3636_ = _e1842;
-                                    phi_3637_ = _e1844;
+                                    let _e2057 = phi_4506_;
+                                    let _e2059 = phi_3978_;
+                                    let _e2061 = phi_3979_;
+                                    let _e2063 = phi_3980_;
+                                    let _e2065 = phi_3981_;
+                                    phi_4505_ = _e2057;
+                                    phi_3982_ = _e2059;
+                                    phi_3983_ = _e2061;
+                                    phi_3984_ = (_e588 - 1u);
+                                    phi_3985_ = _e2063;
+                                    phi_3986_ = _e2065;
                                 } else {
-                                    phi_4138_ = _e586;
-                                    phi_3633_ = _e588;
-                                    phi_3634_ = _e627;
-                                    phi_3635_ = _e592;
-                                    phi_3636_ = _e629;
-                                    phi_3637_ = _e631;
+                                    phi_4505_ = _e582;
+                                    phi_3982_ = _e584;
+                                    phi_3983_ = _e623;
+                                    phi_3984_ = _e588;
+                                    phi_3985_ = _e625;
+                                    phi_3986_ = _e627;
                                 }
-                                let _e1846 = phi_4138_;
-                                let _e1848 = phi_3633_;
-                                let _e1850 = phi_3634_;
-                                let _e1852 = phi_3635_;
-                                let _e1854 = phi_3636_;
-                                let _e1856 = phi_3637_;
-                                phi_4137_ = _e1846;
-                                phi_3638_ = _e1848;
-                                phi_3639_ = _e1850;
-                                phi_3640_ = _e1852;
-                                phi_3641_ = _e1854;
-                                phi_3642_ = _e1856;
+                                let _e2067 = phi_4505_;
+                                let _e2069 = phi_3982_;
+                                let _e2071 = phi_3983_;
+                                let _e2073 = phi_3984_;
+                                let _e2075 = phi_3985_;
+                                let _e2077 = phi_3986_;
+                                phi_4504_ = _e2067;
+                                phi_3987_ = _e2069;
+                                phi_3988_ = _e2071;
+                                phi_3989_ = _e2073;
+                                phi_3990_ = _e2075;
+                                phi_3991_ = _e2077;
                             } else {
-                                phi_4137_ = _e586;
-                                phi_3638_ = type_43();
-                                phi_3639_ = type_60();
-                                phi_3640_ = u32();
-                                phi_3641_ = bool();
-                                phi_3642_ = u32();
+                                phi_4504_ = _e582;
+                                phi_3987_ = type_42();
+                                phi_3988_ = type_57();
+                                phi_3989_ = u32();
+                                phi_3990_ = bool();
+                                phi_3991_ = u32();
                             }
-                            let _e1858 = phi_4137_;
-                            let _e1860 = phi_3638_;
-                            let _e1862 = phi_3639_;
-                            let _e1864 = phi_3640_;
-                            let _e1866 = phi_3641_;
-                            let _e1868 = phi_3642_;
-                            phi_4136_ = _e1858;
-                            phi_974_ = _e1860;
-                            phi_977_ = _e1862;
-                            phi_979_ = _e1864;
-                            phi_981_ = _e1866;
-                            phi_983_ = _e1868;
-                            phi_3643_ = _e600;
+                            let _e2079 = phi_4504_;
+                            let _e2081 = phi_3987_;
+                            let _e2083 = phi_3988_;
+                            let _e2085 = phi_3989_;
+                            let _e2087 = phi_3990_;
+                            let _e2089 = phi_3991_;
+                            phi_4503_ = _e2079;
+                            phi_960_ = _e2081;
+                            phi_963_ = _e2083;
+                            phi_965_ = _e2085;
+                            phi_967_ = _e2087;
+                            phi_969_ = _e2089;
+                            phi_3992_ = _e596;
                         } else {
-                            phi_4136_ = _e586;
-                            phi_974_ = type_43();
-                            phi_977_ = type_60();
-                            phi_979_ = u32();
-                            phi_981_ = bool();
-                            phi_983_ = u32();
-                            phi_3643_ = false;
+                            phi_4503_ = _e582;
+                            phi_960_ = type_42();
+                            phi_963_ = type_57();
+                            phi_965_ = u32();
+                            phi_967_ = bool();
+                            phi_969_ = u32();
+                            phi_3992_ = false;
                         }
-                        let _e1870 = phi_4136_;
-                        let _e1872 = phi_974_;
-                        let _e1874 = phi_977_;
-                        let _e1876 = phi_979_;
-                        let _e1878 = phi_981_;
-                        let _e1880 = phi_983_;
-                        let _e1882 = phi_3643_;
+                        let _e2091 = phi_4503_;
+                        let _e2093 = phi_960_;
+                        let _e2095 = phi_963_;
+                        let _e2097 = phi_965_;
+                        let _e2099 = phi_967_;
+                        let _e2101 = phi_969_;
+                        let _e2103 = phi_3992_;
                         continue;
                         continuing {
-                            phi_3997_ = _e1870;
-                            phi_973_ = _e1872;
-                            phi_976_ = _e1874;
-                            phi_978_ = _e1876;
-                            phi_980_ = _e1878;
-                            phi_982_ = _e1880;
-                            phi_4135_ = _e1870;
-                            break if !(_e1882);
+                            phi_4323_ = _e2091;
+                            phi_959_ = _e2093;
+                            phi_962_ = _e2095;
+                            phi_964_ = _e2097;
+                            phi_966_ = _e2099;
+                            phi_968_ = _e2101;
+                            phi_4502_ = _e2091;
+                            break if !(_e2103);
                         }
                     }
-                    let _e1885 = phi_4135_;
-                    if _e1885 {
+                    let _e2106 = phi_4502_;
+                    if _e2106 {
                         break;
                     }
-                    let _e1887 = local_13;
-                    if (_e1887.member.member_3 != 4294967295u) {
-                        let _e1892 = (_e368 / 3i);
-                        let _e1899 = bitcast<f32>((bitcast<u32>((_e1892 + 127i)) << bitcast<u32>(23i)));
-                        let _e1907 = (((_e1887.member.member * _e1899) * _e1899) * bitcast<f32>((bitcast<u32>(((_e368 - (2i * _e1892)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1909 = select(340282350000000000000000000000000000000f, _e1907, (_e1907 < 340282350000000000000000000000000000000f));
-                        phi_3695_ = type_25(select(-340282350000000000000000000000000000000f, _e1909, (_e1909 > -340282350000000000000000000000000000000f)), _e1887.member.member_1, _e1887.member.member_2, _e1887.member.member_3);
+                    let _e2108 = local_10;
+                    if (_e2108.member.member_3 != 4294967295u) {
+                        let _e2113 = (_e364 / 3i);
+                        let _e2120 = bitcast<f32>((bitcast<u32>((_e2113 + 127i)) << bitcast<u32>(23i)));
+                        let _e2128 = (((_e2108.member.member * _e2120) * _e2120) * bitcast<f32>((bitcast<u32>(((_e364 - (2i * _e2113)) + 127i)) << bitcast<u32>(23i))));
+                        let _e2130 = select(340282350000000000000000000000000000000f, _e2128, (_e2128 < 340282350000000000000000000000000000000f));
+                        phi_4044_ = type_25(select(-340282350000000000000000000000000000000f, _e2130, (_e2130 > -340282350000000000000000000000000000000f)), _e2108.member.member_1, _e2108.member.member_2, _e2108.member.member_3);
                     } else {
-                        phi_3695_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4044_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1916 = phi_3695_;
-                    if _e245 {
-                    } else {
-                        break;
-                    }
-                    global_8.member[_e151] = _e1916;
-                    if _e166 {
+                    let _e2137 = phi_4044_;
+                    if _e241 {
                     } else {
                         break;
                     }
-                    let _e1920 = select(0u, 1u, (_e312 <= _e322));
-                    if (_e1920 > 0u) {
-                        let _e1922 = (1u < _e119);
-                        if _e1922 {
-                            if (0u < _e119) {
+                    global_8.member[_e147] = _e2137;
+                    if _e162 {
+                    } else {
+                        break;
+                    }
+                    let _e2141 = select(0u, 1u, (_e308 <= _e318));
+                    if (_e2141 > 0u) {
+                        let _e2143 = (1u < _e115);
+                        if _e2143 {
+                            if (0u < _e115) {
                             } else {
                                 break;
                             }
-                            let _e1926 = atomicAdd((&global_9.member[0u]), _e1920);
-                            if ((_e1926 + _e1920) < _e1926) {
-                                if _e1922 {
+                            let _e2147 = atomicAdd((&global_9.member[0u]), _e2141);
+                            if ((_e2147 + _e2141) < _e2147) {
+                                if _e2143 {
                                 } else {
                                     break;
                                 }
-                                let _e1931 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2152 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1934 = select(0u, 1u, (_e1916.member_3 != 4294967295u));
-                    if (_e1934 > 0u) {
-                        let _e1936 = (3u < _e119);
-                        if _e1936 {
-                            if (2u < _e119) {
+                    let _e2155 = select(0u, 1u, (_e2137.member_3 != 4294967295u));
+                    if (_e2155 > 0u) {
+                        let _e2157 = (3u < _e115);
+                        if _e2157 {
+                            if (2u < _e115) {
                             } else {
                                 break;
                             }
-                            let _e1940 = atomicAdd((&global_9.member[2u]), _e1934);
-                            if ((_e1940 + _e1934) < _e1940) {
-                                if _e1936 {
+                            let _e2161 = atomicAdd((&global_9.member[2u]), _e2155);
+                            if ((_e2161 + _e2155) < _e2161) {
+                                if _e2157 {
                                 } else {
                                     break;
                                 }
-                                let _e1945 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2166 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -46,14 +46,14 @@ struct type_33 {
     member_1: vec4<f32>,
 }
 
-struct type_36 {
+struct type_35 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
     member_3: array<u32, 3>,
 }
 
-struct type_39 {
+struct type_38 {
     member: type_21,
     member_1: f32,
 }
@@ -70,18 +70,18 @@ struct type_52 {
     member: array<array<u32, 7>>,
 }
 
-struct type_60 {
+struct type_57 {
     member: type_33,
     member_1: u32,
 }
 
-struct type_61 {
+struct type_58 {
     member: array<vec4<f32>, 3>,
-    member_1: type_60,
-    member_2: type_60,
+    member_1: type_57,
+    member_2: type_57,
 }
 
-struct type_68 {
+struct type_63 {
     member: array<atomic<u32>>,
 }
 
@@ -101,7 +101,7 @@ var<storage> global_6: type_28;
 @group(0) @binding(8) 
 var<storage, read_write> global_7: type_23;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_68;
+var<storage, read_write> global_8: type_63;
 @group(0) @binding(3) 
 var<storage> global_9: type_52;
 @group(0) @binding(4) 
@@ -118,454 +118,460 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var local_10: array<u32, 3>;
-    var local_11: array<array<f32, 3>, 3>;
-    var local_12: array<f32, 4>;
-    var phi_340_: u32;
-    var phi_384_: i32;
-    var phi_408_: type_36;
-    var phi_514_: i32;
-    var phi_515_: i32;
+    var phi_327_: u32;
+    var phi_371_: i32;
+    var phi_395_: type_35;
+    var phi_501_: i32;
+    var phi_502_: i32;
+    var phi_512_: bool;
+    var phi_522_: u32;
+    var phi_523_: u32;
     var phi_525_: bool;
-    var phi_535_: u32;
-    var phi_536_: u32;
-    var phi_538_: bool;
-    var phi_543_: u32;
-    var phi_576_: i32;
-    var phi_594_: f32;
-    var phi_600_: f32;
-    var phi_611_: f32;
-    var phi_617_: f32;
-    var phi_640_: f32;
-    var phi_651_: f32;
-    var phi_660_: f32;
-    var phi_666_: f32;
-    var phi_677_: f32;
-    var phi_683_: f32;
-    var phi_706_: f32;
-    var phi_717_: f32;
-    var phi_726_: f32;
-    var phi_732_: f32;
-    var phi_743_: f32;
-    var phi_749_: f32;
-    var phi_772_: f32;
-    var phi_783_: f32;
-    var phi_883_: f32;
-    var phi_884_: f32;
-    var phi_3997_: bool;
-    var phi_973_: type_39;
-    var phi_976_: type_60;
-    var phi_978_: u32;
-    var phi_980_: bool;
-    var phi_982_: u32;
-    var phi_993_: bool;
-    var phi_1079_: type_60;
-    var phi_1080_: bool;
-    var phi_1081_: u32;
-    var phi_2886_: u32;
-    var phi_2892_: u32;
-    var phi_3146_: u32;
-    var phi_3147_: u32;
-    var phi_3157_: u32;
-    var phi_3159_: u32;
-    var phi_3160_: bool;
-    var phi_3180_: u32;
-    var phi_3181_: u32;
-    var phi_3185_: type_61;
-    var phi_3529_: type_60;
-    var phi_3606_: type_60;
-    var phi_3607_: type_60;
-    var phi_3608_: u32;
-    var phi_3610_: type_60;
-    var phi_3611_: u32;
-    var phi_3612_: bool;
-    var phi_3621_: type_60;
-    var phi_3626_: type_60;
-    var phi_3627_: bool;
-    var phi_3994_: bool;
-    var phi_1100_: type_39;
-    var phi_1103_: type_8;
-    var phi_1104_: type_8;
-    var phi_1126_: type_8;
-    var phi_1167_: u32;
-    var phi_1173_: u32;
-    var phi_1183_: u32;
-    var phi_1199_: u32;
-    var phi_1236_: u32;
-    var phi_1242_: u32;
-    var phi_1252_: u32;
-    var phi_3979_: bool;
-    var phi_1268_: type_8;
-    var phi_1269_: type_8;
-    var phi_1292_: type_8;
-    var phi_1315_: u32;
-    var phi_1330_: u32;
-    var phi_1333_: type_8;
-    var phi_1334_: type_8;
-    var phi_1357_: type_8;
-    var phi_1423_: u32;
-    var phi_1403_: u32;
-    var phi_1404_: u32;
-    var phi_1427_: f32;
-    var phi_3972_: bool;
-    var phi_4055_: bool;
-    var phi_4054_: bool;
-    var phi_1927_: vec3<f32>;
-    var phi_1928_: vec3<f32>;
-    var phi_1959_: bool;
-    var phi_1968_: vec3<f32>;
-    var phi_2008_: type_21;
-    var phi_2010_: type_21;
-    var phi_2011_: bool;
-    var phi_2015_: type_21;
-    var phi_2016_: type_21;
-    var phi_2017_: type_21;
-    var phi_2018_: bool;
-    var phi_2022_: type_21;
-    var phi_2023_: bool;
-    var phi_2027_: type_21;
-    var phi_2028_: bool;
-    var phi_2032_: type_21;
-    var phi_2055_: u32;
-    var phi_2069_: i32;
-    var phi_2089_: vec3<f32>;
-    var phi_2090_: vec3<f32>;
-    var phi_2106_: vec3<f32>;
-    var phi_2107_: vec3<f32>;
-    var phi_2123_: vec3<f32>;
-    var phi_2124_: vec3<f32>;
-    var phi_2160_: vec3<f32>;
-    var phi_2342_: f32;
+    var phi_530_: u32;
+    var phi_562_: i32;
+    var phi_580_: f32;
+    var phi_586_: f32;
+    var phi_597_: f32;
+    var phi_603_: f32;
+    var phi_626_: f32;
+    var phi_637_: f32;
+    var phi_646_: f32;
+    var phi_652_: f32;
+    var phi_663_: f32;
+    var phi_669_: f32;
+    var phi_692_: f32;
+    var phi_703_: f32;
+    var phi_712_: f32;
+    var phi_718_: f32;
+    var phi_729_: f32;
+    var phi_735_: f32;
+    var phi_758_: f32;
+    var phi_769_: f32;
+    var phi_869_: f32;
+    var phi_870_: f32;
+    var phi_4323_: bool;
+    var phi_959_: type_38;
+    var phi_962_: type_57;
+    var phi_964_: u32;
+    var phi_966_: bool;
+    var phi_968_: u32;
+    var phi_979_: bool;
+    var phi_1065_: type_57;
+    var phi_1066_: bool;
+    var phi_1067_: u32;
+    var phi_3235_: u32;
+    var phi_3241_: u32;
+    var phi_3495_: u32;
+    var phi_3496_: u32;
+    var phi_3506_: u32;
+    var phi_3508_: u32;
+    var phi_3509_: bool;
+    var phi_3529_: u32;
+    var phi_3530_: u32;
+    var phi_3534_: type_58;
+    var phi_3878_: type_57;
+    var phi_3955_: type_57;
+    var phi_3956_: type_57;
+    var phi_3957_: u32;
+    var phi_3959_: type_57;
+    var phi_3960_: u32;
+    var phi_3961_: bool;
+    var phi_3970_: type_57;
+    var phi_3975_: type_57;
+    var phi_3976_: bool;
+    var phi_1086_: type_38;
+    var phi_1089_: type_8;
+    var phi_1090_: type_8;
+    var phi_1112_: type_8;
+    var phi_1153_: u32;
+    var phi_1159_: u32;
+    var phi_1169_: u32;
+    var phi_1185_: u32;
+    var phi_1218_: u32;
+    var phi_1224_: u32;
+    var phi_1651_: u32;
+    var phi_1669_: u32;
+    var phi_1687_: u32;
+    var phi_1707_: u32;
+    var phi_1725_: u32;
+    var phi_1743_: u32;
+    var phi_1763_: u32;
+    var phi_1781_: u32;
+    var phi_1799_: u32;
+    var phi_1377_: u32;
+    var phi_1392_: u32;
+    var phi_1402_: u32;
+    var phi_1422_: u32;
+    var phi_1442_: u32;
+    var phi_1468_: u32;
+    var phi_1483_: u32;
+    var phi_1493_: u32;
+    var phi_1513_: u32;
+    var phi_1533_: u32;
+    var phi_1559_: u32;
+    var phi_1574_: u32;
+    var phi_1584_: u32;
+    var phi_1604_: u32;
+    var phi_1624_: u32;
+    var phi_1248_: u32;
+    var phi_1291_: u32;
+    var phi_1334_: u32;
+    var phi_1805_: array<array<f32, 3>, 3>;
+    var phi_2276_: vec3<f32>;
+    var phi_2277_: vec3<f32>;
+    var phi_2308_: bool;
+    var phi_2317_: vec3<f32>;
+    var phi_2357_: type_21;
+    var phi_2359_: type_21;
     var phi_2360_: bool;
-    var phi_2361_: bool;
-    var phi_2380_: bool;
-    var phi_2381_: bool;
-    var phi_2387_: type_39;
-    var phi_2388_: type_39;
-    var phi_2389_: type_39;
-    var phi_4057_: bool;
-    var phi_1101_: type_39;
-    var phi_4056_: bool;
-    var phi_4139_: bool;
-    var phi_3629_: type_39;
-    var phi_3630_: type_60;
-    var phi_3631_: bool;
-    var phi_3632_: u32;
-    var phi_4138_: bool;
-    var phi_3633_: type_39;
-    var phi_3634_: type_60;
-    var phi_3635_: u32;
-    var phi_3636_: bool;
-    var phi_3637_: u32;
-    var phi_4137_: bool;
-    var phi_3638_: type_39;
-    var phi_3639_: type_60;
-    var phi_3640_: u32;
-    var phi_3641_: bool;
-    var phi_3642_: u32;
-    var phi_4136_: bool;
-    var phi_974_: type_39;
-    var phi_977_: type_60;
-    var phi_979_: u32;
-    var phi_981_: bool;
-    var phi_983_: u32;
-    var phi_3643_: bool;
-    var phi_4135_: bool;
-    var local_13: type_39;
-    var phi_3695_: type_21;
-    var local_14: type_39;
+    var phi_2364_: type_21;
+    var phi_2365_: type_21;
+    var phi_2366_: type_21;
+    var phi_2367_: bool;
+    var phi_2371_: type_21;
+    var phi_2372_: bool;
+    var phi_2376_: type_21;
+    var phi_2377_: bool;
+    var phi_2381_: type_21;
+    var phi_2404_: u32;
+    var phi_2418_: i32;
+    var phi_2438_: vec3<f32>;
+    var phi_2439_: vec3<f32>;
+    var phi_2455_: vec3<f32>;
+    var phi_2456_: vec3<f32>;
+    var phi_2472_: vec3<f32>;
+    var phi_2473_: vec3<f32>;
+    var phi_2509_: vec3<f32>;
+    var phi_2691_: f32;
+    var phi_2709_: bool;
+    var phi_2710_: bool;
+    var phi_2729_: bool;
+    var phi_2730_: bool;
+    var phi_2736_: type_38;
+    var phi_2737_: type_38;
+    var phi_2738_: type_38;
+    var phi_1087_: type_38;
+    var phi_4317_: bool;
+    var phi_4506_: bool;
+    var phi_3978_: type_38;
+    var phi_3979_: type_57;
+    var phi_3980_: bool;
+    var phi_3981_: u32;
+    var phi_4505_: bool;
+    var phi_3982_: type_38;
+    var phi_3983_: type_57;
+    var phi_3984_: u32;
+    var phi_3985_: bool;
+    var phi_3986_: u32;
+    var phi_4504_: bool;
+    var phi_3987_: type_38;
+    var phi_3988_: type_57;
+    var phi_3989_: u32;
+    var phi_3990_: bool;
+    var phi_3991_: u32;
+    var phi_4503_: bool;
+    var phi_960_: type_38;
+    var phi_963_: type_57;
+    var phi_965_: u32;
+    var phi_967_: bool;
+    var phi_969_: u32;
+    var phi_3992_: bool;
+    var phi_4502_: bool;
+    var local_10: type_38;
+    var phi_4044_: type_21;
+    var local_11: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e101 = global;
-            let _e103 = arrayLength((&global_9.member));
-            let _e106 = arrayLength((&global_10.member));
-            let _e118 = arrayLength((&global_8.member));
-            let _e122 = global_3.member[0u][0u];
-            let _e126 = global_3.member[0u][1u];
-            let _e130 = global_3.member[0u][2u];
-            let _e134 = global_3.member[0u][3u];
-            let _e138 = global_3.member[1u][0u];
-            let _e142 = global_3.member[1u][1u];
-            let _e146 = global_3.member[1u][2u];
-            let _e150 = (_e101.x + (_e101.y * 2097152u));
-            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
-            let _e165 = (_e150 < arrayLength((&global_6.member)));
-            if _e165 {
-                if _e165 {
+            let _e96 = global;
+            let _e98 = arrayLength((&global_9.member));
+            let _e101 = arrayLength((&global_10.member));
+            let _e113 = arrayLength((&global_8.member));
+            let _e117 = global_3.member[0u][0u];
+            let _e121 = global_3.member[0u][1u];
+            let _e125 = global_3.member[0u][2u];
+            let _e129 = global_3.member[0u][3u];
+            let _e133 = global_3.member[1u][0u];
+            let _e137 = global_3.member[1u][1u];
+            let _e141 = global_3.member[1u][2u];
+            let _e145 = (_e96.x + (_e96.y * 2097152u));
+            let _e157 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e129) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
+            local = array<i32, 3>(bitcast<i32>(_e133), bitcast<i32>(_e137), bitcast<i32>(_e141));
+            let _e160 = (_e145 < arrayLength((&global_6.member)));
+            if _e160 {
+                if _e160 {
                 } else {
                     break;
                 }
-                let _e169 = global_6.member[_e150].member_2;
-                phi_340_ = _e169;
+                let _e164 = global_6.member[_e145].member_2;
+                phi_327_ = _e164;
             } else {
-                phi_340_ = 4294967295u;
+                phi_327_ = 4294967295u;
             }
-            let _e171 = phi_340_;
-            let _e174 = global_1.member[0u];
-            let _e178 = global_2.member[0u][0u];
-            let _e182 = global_2.member[0u][1u];
-            let _e186 = global_2.member[0u][2u];
-            let _e190 = global_2.member[0u][3u];
-            let _e194 = global_2.member[1u][0u];
-            let _e198 = global_2.member[1u][1u];
-            let _e202 = global_2.member[1u][2u];
-            let _e206 = global_2.member[1u][3u];
-            let _e207 = bitcast<f32>(_e178);
-            let _e208 = bitcast<f32>(_e182);
-            let _e209 = bitcast<f32>(_e186);
-            let _e211 = bitcast<f32>(_e194);
-            let _e212 = array<u32, 3>(_e198, _e202, _e206);
-            let _e214 = bitcast<i32>(_e174);
-            if (_e214 < -126i) {
-                phi_384_ = -126i;
+            let _e166 = phi_327_;
+            let _e169 = global_1.member[0u];
+            let _e173 = global_2.member[0u][0u];
+            let _e177 = global_2.member[0u][1u];
+            let _e181 = global_2.member[0u][2u];
+            let _e185 = global_2.member[0u][3u];
+            let _e189 = global_2.member[1u][0u];
+            let _e193 = global_2.member[1u][1u];
+            let _e197 = global_2.member[1u][2u];
+            let _e201 = global_2.member[1u][3u];
+            let _e202 = bitcast<f32>(_e173);
+            let _e203 = bitcast<f32>(_e177);
+            let _e204 = bitcast<f32>(_e181);
+            let _e206 = bitcast<f32>(_e189);
+            let _e207 = array<u32, 3>(_e193, _e197, _e201);
+            let _e209 = bitcast<i32>(_e169);
+            if (_e209 < -126i) {
+                phi_371_ = -126i;
             } else {
-                phi_384_ = select(_e214, 127i, (_e214 > 127i));
+                phi_371_ = select(_e209, 127i, (_e209 > 127i));
             }
-            let _e219 = phi_384_;
-            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-            if (_e190 == 0u) {
-                phi_408_ = type_36(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+            let _e214 = phi_371_;
+            let _e219 = bitcast<f32>((bitcast<u32>((_e214 + 127i)) << bitcast<u32>(23i)));
+            let _e225 = bitcast<f32>((bitcast<u32>(((_e209 - _e214) + 127i)) << bitcast<u32>(23i)));
+            if (_e185 == 0u) {
+                phi_395_ = type_35(array<f32, 3>(_e202, _e203, _e204), _e185, _e206, _e207);
             } else {
-                phi_408_ = type_36(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
+                phi_395_ = type_35(array<f32, 3>(((_e202 * _e219) * _e225), ((_e203 * _e219) * _e225), ((_e204 * _e219) * _e225)), _e185, ((_e206 * _e219) * _e225), _e207);
             }
-            let _e243 = phi_408_;
-            if _e165 {
-                let _e244 = (_e150 < arrayLength((&global_7.member)));
-                if _e244 {
-                    if _e165 {
+            let _e238 = phi_395_;
+            if _e160 {
+                let _e239 = (_e145 < arrayLength((&global_7.member)));
+                if _e239 {
+                    if _e160 {
                     } else {
                         break;
                     }
-                    let _e254 = global_6.member[_e150].member.member_2[0u];
-                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
-                    let _e262 = global_6.member[_e150].member.member_2[1u];
-                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
-                    let _e270 = global_6.member[_e150].member.member_2[2u];
-                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
-                    let _e278 = global_6.member[_e150].member.member[0u];
-                    let _e280 = (bitcast<u32>(_e278) & 2147483647u);
-                    let _e286 = global_6.member[_e150].member.member[1u];
-                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
-                    let _e294 = global_6.member[_e150].member.member[2u];
-                    let _e296 = (bitcast<u32>(_e294) & 2147483647u);
-                    let _e298 = select(_e264, _e256, (_e264 < _e256));
-                    let _e300 = select(_e272, _e298, (_e272 < _e298));
-                    let _e302 = select(_e280, _e300, (_e280 < _e300));
-                    let _e304 = select(_e288, _e302, (_e288 < _e302));
-                    let _e306 = select(_e296, _e304, (_e296 < _e304));
-                    let _e311 = global_6.member[_e150].member.member_1;
-                    let _e313 = (bitcast<u32>(_e311) & 2147483647u);
-                    let _e321 = global_6.member[_e150].member.member_3;
-                    let _e327 = (((select(_e313, _e306, (_e313 < _e306)) < 2139095040u) && ((bitcast<u32>(_e321) & 2147483647u) <= 2139095040u)) && (_e300 > 0u));
-                    if _e327 {
-                        let _e330 = (bitcast<u32>(bitcast<f32>(_e300)) & 2147483647u);
-                        if (_e330 >= 8388608u) {
-                            phi_514_ = (bitcast<i32>((_e330 >> bitcast<u32>(23i))) - 127i);
+                    let _e249 = global_6.member[_e145].member.member_2[0u];
+                    let _e251 = (bitcast<u32>(_e249) & 2147483647u);
+                    let _e257 = global_6.member[_e145].member.member_2[1u];
+                    let _e259 = (bitcast<u32>(_e257) & 2147483647u);
+                    let _e265 = global_6.member[_e145].member.member_2[2u];
+                    let _e267 = (bitcast<u32>(_e265) & 2147483647u);
+                    let _e273 = global_6.member[_e145].member.member[0u];
+                    let _e275 = (bitcast<u32>(_e273) & 2147483647u);
+                    let _e281 = global_6.member[_e145].member.member[1u];
+                    let _e283 = (bitcast<u32>(_e281) & 2147483647u);
+                    let _e289 = global_6.member[_e145].member.member[2u];
+                    let _e291 = (bitcast<u32>(_e289) & 2147483647u);
+                    let _e293 = select(_e259, _e251, (_e259 < _e251));
+                    let _e295 = select(_e267, _e293, (_e267 < _e293));
+                    let _e297 = select(_e275, _e295, (_e275 < _e295));
+                    let _e299 = select(_e283, _e297, (_e283 < _e297));
+                    let _e301 = select(_e291, _e299, (_e291 < _e299));
+                    let _e306 = global_6.member[_e145].member.member_1;
+                    let _e308 = (bitcast<u32>(_e306) & 2147483647u);
+                    let _e316 = global_6.member[_e145].member.member_3;
+                    let _e322 = (((select(_e308, _e301, (_e308 < _e301)) < 2139095040u) && ((bitcast<u32>(_e316) & 2147483647u) <= 2139095040u)) && (_e295 > 0u));
+                    if _e322 {
+                        let _e325 = (bitcast<u32>(bitcast<f32>(_e295)) & 2147483647u);
+                        if (_e325 >= 8388608u) {
+                            phi_501_ = (bitcast<i32>((_e325 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_514_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e330)), 32u, (_e330 == 0u))));
+                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e325)), 32u, (_e325 == 0u))));
                         }
-                        let _e344 = phi_514_;
-                        phi_515_ = _e344;
+                        let _e339 = phi_501_;
+                        phi_502_ = _e339;
                     } else {
-                        phi_515_ = 0i;
+                        phi_502_ = 0i;
                     }
-                    let _e346 = phi_515_;
-                    let _e347 = (_e256 == _e300);
-                    if _e347 {
+                    let _e341 = phi_502_;
+                    let _e342 = (_e251 == _e295);
+                    if _e342 {
+                        phi_512_ = true;
+                    } else {
+                        phi_512_ = (_e259 == _e295);
+                    }
+                    let _e345 = phi_512_;
+                    let _e346 = select(1u, 0u, _e342);
+                    if _e345 {
+                        let _e347 = (_e346 + 1u);
+                        phi_522_ = _e347;
+                        phi_523_ = _e347;
+                        phi_525_ = select(true, false, (_e347 == 2u));
+                    } else {
+                        phi_522_ = u32();
+                        phi_523_ = 0u;
                         phi_525_ = true;
-                    } else {
-                        phi_525_ = (_e264 == _e300);
                     }
-                    let _e350 = phi_525_;
-                    let _e351 = select(1u, 0u, _e347);
-                    if _e350 {
-                        let _e352 = (_e351 + 1u);
-                        phi_535_ = _e352;
-                        phi_536_ = _e352;
-                        phi_538_ = select(true, false, (_e352 == 2u));
+                    let _e351 = phi_522_;
+                    let _e353 = phi_523_;
+                    let _e355 = phi_525_;
+                    if _e355 {
+                        phi_530_ = (_e353 + 1u);
                     } else {
-                        phi_535_ = u32();
-                        phi_536_ = 0u;
-                        phi_538_ = true;
+                        phi_530_ = 0u;
                     }
-                    let _e356 = phi_535_;
-                    let _e358 = phi_536_;
-                    let _e360 = phi_538_;
-                    if _e360 {
-                        phi_543_ = (_e358 + 1u);
+                    let _e359 = phi_530_;
+                    let _e360 = select(_e351, _e353, _e355);
+                    let _e361 = select(_e346, select(2u, _e346, _e345), _e355);
+                    let _e362 = -(_e341);
+                    if (_e362 < -126i) {
+                        phi_562_ = -126i;
                     } else {
-                        phi_543_ = 0u;
+                        phi_562_ = select(_e362, 127i, (_e362 > 127i));
                     }
-                    let _e364 = phi_543_;
-                    let _e365 = select(_e356, _e358, _e360);
-                    let _e366 = select(_e351, select(2u, _e351, _e350), _e360);
-                    let _e367 = -(_e346);
-                    if (_e367 < -126i) {
-                        phi_576_ = -126i;
+                    let _e367 = phi_562_;
+                    let _e372 = bitcast<f32>((bitcast<u32>((_e367 + 127i)) << bitcast<u32>(23i)));
+                    let _e378 = bitcast<f32>((bitcast<u32>(((_e362 - _e367) + 127i)) << bitcast<u32>(23i)));
+                    let _e383 = global_6.member[_e145].member.member;
+                    let _e384 = (_e360 == 0u);
+                    if _e384 {
+                        phi_580_ = _e383[0];
                     } else {
-                        phi_576_ = select(_e367, 127i, (_e367 > 127i));
+                        phi_580_ = _e383[1];
                     }
-                    let _e372 = phi_576_;
-                    let _e377 = bitcast<f32>((bitcast<u32>((_e372 + 127i)) << bitcast<u32>(23i)));
-                    let _e383 = bitcast<f32>((bitcast<u32>(((_e367 - _e372) + 127i)) << bitcast<u32>(23i)));
-                    let _e388 = global_6.member[_e150].member.member;
-                    let _e389 = (_e365 == 0u);
+                    let _e388 = phi_580_;
+                    let _e389 = (_e360 == 2u);
                     if _e389 {
-                        phi_594_ = _e388[0];
+                        phi_586_ = _e383[2];
                     } else {
-                        phi_594_ = _e388[1];
+                        phi_586_ = _e388;
                     }
-                    let _e393 = phi_594_;
-                    let _e394 = (_e365 == 2u);
-                    if _e394 {
-                        phi_600_ = _e388[2];
+                    let _e392 = phi_586_;
+                    let _e393 = global_6.member[_e145].member.member_2;
+                    if _e384 {
+                        phi_597_ = _e393[0];
                     } else {
-                        phi_600_ = _e393;
+                        phi_597_ = _e393[1];
                     }
-                    let _e397 = phi_600_;
-                    let _e398 = global_6.member[_e150].member.member_2;
+                    let _e397 = phi_597_;
                     if _e389 {
-                        phi_611_ = _e398[0];
+                        phi_603_ = _e393[2];
                     } else {
-                        phi_611_ = _e398[1];
+                        phi_603_ = _e397;
                     }
-                    let _e402 = phi_611_;
-                    if _e394 {
-                        phi_617_ = _e398[2];
+                    let _e400 = phi_603_;
+                    let _e402 = ((_e400 * _e372) * _e378);
+                    let _e406 = (bitcast<f32>((bitcast<u32>(_e402) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e406 {
+                        let _e410 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) * 0.00000011920929f);
+                        phi_626_ = select(0.00000000000011368684f, _e410, (_e410 > 0.00000000000011368684f));
                     } else {
-                        phi_617_ = _e402;
+                        phi_626_ = 0f;
                     }
-                    let _e405 = phi_617_;
-                    let _e407 = ((_e405 * _e377) * _e383);
-                    let _e411 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e411 {
-                        let _e415 = (bitcast<f32>((bitcast<u32>(_e397) & 2147483647u)) * 0.00000011920929f);
-                        phi_640_ = select(0.00000000000011368684f, _e415, (_e415 > 0.00000000000011368684f));
+                    let _e414 = phi_626_;
+                    let _e415 = (_e392 + _e414);
+                    let _e416 = (_e392 - _e414);
+                    let _e417 = select(_e402, 0f, _e406);
+                    if _e406 {
+                        phi_637_ = 38685626000000000000000000f;
                     } else {
-                        phi_640_ = 0f;
+                        phi_637_ = (1f / _e402);
                     }
-                    let _e419 = phi_640_;
-                    let _e420 = (_e397 + _e419);
-                    let _e421 = (_e397 - _e419);
-                    let _e422 = select(_e407, 0f, _e411);
-                    if _e411 {
-                        phi_651_ = 38685626000000000000000000f;
+                    let _e420 = phi_637_;
+                    let _e421 = (_e359 == 0u);
+                    if _e421 {
+                        phi_646_ = _e383[0];
                     } else {
-                        phi_651_ = (1f / _e407);
+                        phi_646_ = _e383[1];
                     }
-                    let _e425 = phi_651_;
-                    let _e426 = (_e364 == 0u);
+                    let _e425 = phi_646_;
+                    let _e426 = (_e359 == 2u);
                     if _e426 {
-                        phi_660_ = _e388[0];
+                        phi_652_ = _e383[2];
                     } else {
-                        phi_660_ = _e388[1];
+                        phi_652_ = _e425;
                     }
-                    let _e430 = phi_660_;
-                    let _e431 = (_e364 == 2u);
-                    if _e431 {
-                        phi_666_ = _e388[2];
+                    let _e429 = phi_652_;
+                    if _e421 {
+                        phi_663_ = _e393[0];
                     } else {
-                        phi_666_ = _e430;
+                        phi_663_ = _e393[1];
                     }
-                    let _e434 = phi_666_;
+                    let _e433 = phi_663_;
                     if _e426 {
-                        phi_677_ = _e398[0];
+                        phi_669_ = _e393[2];
                     } else {
-                        phi_677_ = _e398[1];
+                        phi_669_ = _e433;
                     }
-                    let _e438 = phi_677_;
-                    if _e431 {
-                        phi_683_ = _e398[2];
+                    let _e436 = phi_669_;
+                    let _e438 = ((_e436 * _e372) * _e378);
+                    let _e442 = (bitcast<f32>((bitcast<u32>(_e438) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e442 {
+                        let _e446 = (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) * 0.00000011920929f);
+                        phi_692_ = select(0.00000000000011368684f, _e446, (_e446 > 0.00000000000011368684f));
                     } else {
-                        phi_683_ = _e438;
+                        phi_692_ = 0f;
                     }
-                    let _e441 = phi_683_;
-                    let _e443 = ((_e441 * _e377) * _e383);
-                    let _e447 = (bitcast<f32>((bitcast<u32>(_e443) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e447 {
-                        let _e451 = (bitcast<f32>((bitcast<u32>(_e434) & 2147483647u)) * 0.00000011920929f);
-                        phi_706_ = select(0.00000000000011368684f, _e451, (_e451 > 0.00000000000011368684f));
+                    let _e450 = phi_692_;
+                    let _e451 = (_e429 + _e450);
+                    let _e452 = (_e429 - _e450);
+                    let _e453 = select(_e438, 0f, _e442);
+                    if _e442 {
+                        phi_703_ = 38685626000000000000000000f;
                     } else {
-                        phi_706_ = 0f;
+                        phi_703_ = (1f / _e438);
                     }
-                    let _e455 = phi_706_;
-                    let _e456 = (_e434 + _e455);
-                    let _e457 = (_e434 - _e455);
-                    let _e458 = select(_e443, 0f, _e447);
-                    if _e447 {
-                        phi_717_ = 38685626000000000000000000f;
+                    let _e456 = phi_703_;
+                    let _e457 = (_e361 == 0u);
+                    if _e457 {
+                        phi_712_ = _e383[0];
                     } else {
-                        phi_717_ = (1f / _e443);
+                        phi_712_ = _e383[1];
                     }
-                    let _e461 = phi_717_;
-                    let _e462 = (_e366 == 0u);
+                    let _e461 = phi_712_;
+                    let _e462 = (_e361 == 2u);
                     if _e462 {
-                        phi_726_ = _e388[0];
+                        phi_718_ = _e383[2];
                     } else {
-                        phi_726_ = _e388[1];
+                        phi_718_ = _e461;
                     }
-                    let _e466 = phi_726_;
-                    let _e467 = (_e366 == 2u);
-                    if _e467 {
-                        phi_732_ = _e388[2];
+                    let _e465 = phi_718_;
+                    if _e457 {
+                        phi_729_ = _e393[0];
                     } else {
-                        phi_732_ = _e466;
+                        phi_729_ = _e393[1];
                     }
-                    let _e470 = phi_732_;
+                    let _e469 = phi_729_;
                     if _e462 {
-                        phi_743_ = _e398[0];
+                        phi_735_ = _e393[2];
                     } else {
-                        phi_743_ = _e398[1];
+                        phi_735_ = _e469;
                     }
-                    let _e474 = phi_743_;
-                    if _e467 {
-                        phi_749_ = _e398[2];
+                    let _e472 = phi_735_;
+                    let _e474 = ((_e472 * _e372) * _e378);
+                    let _e478 = (bitcast<f32>((bitcast<u32>(_e474) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e478 {
+                        let _e482 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) * 0.00000011920929f);
+                        phi_758_ = select(0.00000000000011368684f, _e482, (_e482 > 0.00000000000011368684f));
                     } else {
-                        phi_749_ = _e474;
+                        phi_758_ = 0f;
                     }
-                    let _e477 = phi_749_;
-                    let _e479 = ((_e477 * _e377) * _e383);
-                    let _e483 = (bitcast<f32>((bitcast<u32>(_e479) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e483 {
-                        let _e487 = (bitcast<f32>((bitcast<u32>(_e470) & 2147483647u)) * 0.00000011920929f);
-                        phi_772_ = select(0.00000000000011368684f, _e487, (_e487 > 0.00000000000011368684f));
+                    let _e486 = phi_758_;
+                    let _e487 = (_e465 + _e486);
+                    let _e488 = (_e465 - _e486);
+                    let _e489 = select(_e474, 0f, _e478);
+                    if _e478 {
+                        phi_769_ = 38685626000000000000000000f;
                     } else {
-                        phi_772_ = 0f;
+                        phi_769_ = (1f / _e474);
                     }
-                    let _e491 = phi_772_;
-                    let _e492 = (_e470 + _e491);
-                    let _e493 = (_e470 - _e491);
-                    let _e494 = select(_e479, 0f, _e483);
-                    if _e483 {
-                        phi_783_ = 38685626000000000000000000f;
+                    let _e492 = phi_769_;
+                    let _e495 = bitcast<f32>((bitcast<u32>(_e392) & 2147483647u));
+                    let _e498 = bitcast<f32>((bitcast<u32>(_e429) & 2147483647u));
+                    let _e500 = select(_e498, _e495, (_e495 > _e498));
+                    let _e503 = bitcast<f32>((bitcast<u32>(_e465) & 2147483647u));
+                    if (_e322 && (select(_e503, _e500, (_e500 > _e503)) <= 1099511600000f)) {
+                        let _e508 = (_e341 / 3i);
+                        let _e515 = bitcast<f32>((bitcast<u32>((_e508 + 127i)) << bitcast<u32>(23i)));
+                        let _e522 = bitcast<f32>((bitcast<u32>(((_e341 - (2i * _e508)) + 127i)) << bitcast<u32>(23i)));
+                        let _e523 = (((_e306 * _e515) * _e515) * _e522);
+                        let _e525 = select(340282350000000000000000000000000000000f, _e523, (_e523 < 340282350000000000000000000000000000000f));
+                        let _e530 = (((_e316 * _e515) * _e515) * _e522);
+                        let _e532 = select(340282350000000000000000000000000000000f, _e530, (_e530 < 340282350000000000000000000000000000000f));
+                        phi_869_ = select(-340282350000000000000000000000000000000f, _e532, (_e532 > -340282350000000000000000000000000000000f));
+                        phi_870_ = select(-340282350000000000000000000000000000000f, _e525, (_e525 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_783_ = (1f / _e479);
+                        phi_869_ = 0f;
+                        phi_870_ = 1f;
                     }
-                    let _e497 = phi_783_;
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e397) & 2147483647u));
-                    let _e503 = bitcast<f32>((bitcast<u32>(_e434) & 2147483647u));
-                    let _e505 = select(_e503, _e500, (_e500 > _e503));
-                    let _e508 = bitcast<f32>((bitcast<u32>(_e470) & 2147483647u));
-                    if (_e327 && (select(_e508, _e505, (_e505 > _e508)) <= 1099511600000f)) {
-                        let _e513 = (_e346 / 3i);
-                        let _e520 = bitcast<f32>((bitcast<u32>((_e513 + 127i)) << bitcast<u32>(23i)));
-                        let _e527 = bitcast<f32>((bitcast<u32>(((_e346 - (2i * _e513)) + 127i)) << bitcast<u32>(23i)));
-                        let _e528 = (((_e311 * _e520) * _e520) * _e527);
-                        let _e530 = select(340282350000000000000000000000000000000f, _e528, (_e528 < 340282350000000000000000000000000000000f));
-                        let _e535 = (((_e321 * _e520) * _e520) * _e527);
-                        let _e537 = select(340282350000000000000000000000000000000f, _e535, (_e535 < 340282350000000000000000000000000000000f));
-                        phi_883_ = select(-340282350000000000000000000000000000000f, _e537, (_e537 > -340282350000000000000000000000000000000f));
-                        phi_884_ = select(-340282350000000000000000000000000000000f, _e530, (_e530 > -340282350000000000000000000000000000000f));
-                    } else {
-                        phi_883_ = 0f;
-                        phi_884_ = 1f;
-                    }
-                    let _e541 = phi_883_;
-                    let _e543 = phi_884_;
+                    let _e536 = phi_869_;
+                    let _e538 = phi_870_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -574,1214 +580,1357 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e547 = (_e365 % 3u);
-                    let _e548 = (_e547 < 3u);
-                    if _e548 {
+                    let _e542 = (_e360 % 3u);
+                    let _e543 = (_e542 < 3u);
+                    if _e543 {
                     } else {
                         break;
                     }
-                    let _e550 = local_1[_e547];
-                    let _e553 = (_e364 % 3u);
-                    let _e554 = (_e553 < 3u);
-                    if _e554 {
+                    let _e545 = local_1[_e542];
+                    let _e548 = (_e359 % 3u);
+                    let _e549 = (_e548 < 3u);
+                    if _e549 {
                     } else {
                         break;
                     }
-                    let _e556 = local_1[_e553];
-                    let _e559 = (_e366 % 3u);
-                    let _e560 = (_e559 < 3u);
-                    if _e560 {
+                    let _e551 = local_1[_e548];
+                    let _e554 = (_e361 % 3u);
+                    let _e555 = (_e554 < 3u);
+                    if _e555 {
                     } else {
                         break;
                     }
-                    let _e562 = local_1[_e559];
-                    if _e548 {
+                    let _e557 = local_1[_e554];
+                    if _e543 {
                     } else {
                         break;
                     }
-                    let _e567 = local[_e547];
-                    if _e554 {
+                    let _e562 = local[_e542];
+                    if _e549 {
                     } else {
                         break;
                     }
-                    let _e571 = local[_e553];
-                    if _e560 {
+                    let _e566 = local[_e548];
+                    if _e555 {
                     } else {
                         break;
                     }
-                    let _e575 = local[_e559];
-                    phi_3997_ = false;
-                    phi_973_ = type_39(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e541);
-                    phi_976_ = type_60(type_33(vec4<f32>((f32(_e550) * _e162), (f32(_e556) * _e162), (f32(_e562) * _e162), 0f), vec4<f32>((f32(_e567) * _e162), (f32(_e571) * _e162), (f32(_e575) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                    phi_978_ = ((3u * _e103) + 1u);
-                    phi_980_ = (_e543 <= _e541);
-                    phi_982_ = 0u;
+                    let _e570 = local[_e554];
+                    phi_4323_ = false;
+                    phi_959_ = type_38(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e536);
+                    phi_962_ = type_57(type_33(vec4<f32>((f32(_e545) * _e157), (f32(_e551) * _e157), (f32(_e557) * _e157), 0f), vec4<f32>((f32(_e562) * _e157), (f32(_e566) * _e157), (f32(_e570) * _e157), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
+                    phi_964_ = ((3u * _e98) + 1u);
+                    phi_966_ = (_e538 <= _e536);
+                    phi_968_ = 0u;
                     loop {
-                        let _e585 = phi_3997_;
-                        let _e587 = phi_973_;
-                        let _e589 = phi_976_;
-                        let _e591 = phi_978_;
-                        let _e593 = phi_980_;
-                        let _e595 = phi_982_;
-                        local_13 = _e587;
-                        if _e593 {
-                            phi_993_ = true;
+                        let _e580 = phi_4323_;
+                        let _e582 = phi_959_;
+                        let _e584 = phi_962_;
+                        let _e586 = phi_964_;
+                        let _e588 = phi_966_;
+                        let _e590 = phi_968_;
+                        local_10 = _e582;
+                        if _e588 {
+                            phi_979_ = true;
                         } else {
-                            phi_993_ = (_e595 > 0u);
+                            phi_979_ = (_e590 > 0u);
                         }
-                        let _e598 = phi_993_;
-                        if _e598 {
-                            let _e599 = (_e591 > 0u);
-                            if _e599 {
-                                if _e593 {
-                                    phi_1079_ = _e589;
-                                    phi_1080_ = _e593;
-                                    phi_1081_ = _e595;
+                        let _e593 = phi_979_;
+                        if _e593 {
+                            let _e594 = (_e586 > 0u);
+                            if _e594 {
+                                if _e588 {
+                                    phi_1065_ = _e584;
+                                    phi_1066_ = _e588;
+                                    phi_1067_ = _e590;
                                 } else {
-                                    let _e600 = (_e595 - 1u);
-                                    let _e601 = (_e600 % 128u);
-                                    let _e602 = (_e601 < 128u);
-                                    if _e602 {
+                                    let _e595 = (_e590 - 1u);
+                                    let _e596 = (_e595 % 128u);
+                                    let _e597 = (_e596 < 128u);
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e604 = local_7[_e601];
-                                    if _e602 {
+                                    let _e599 = local_7[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e606 = local_6[_e601];
-                                    if _e602 {
+                                    let _e601 = local_6[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e608 = local_5[_e601];
-                                    if _e602 {
+                                    let _e603 = local_5[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e610 = local_4[_e601];
-                                    if _e602 {
+                                    let _e605 = local_4[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e612 = local_3[_e601];
-                                    if _e602 {
+                                    let _e607 = local_3[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e614 = local_2[_e601];
-                                    if _e602 {
+                                    let _e609 = local_2[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e619 = local_8[_e601];
-                                    if _e602 {
+                                    let _e614 = local_8[_e596];
+                                    if _e597 {
                                     } else {
-                                        phi_4135_ = true;
+                                        phi_4502_ = true;
                                         break;
                                     }
-                                    let _e622 = local_9[_e601];
-                                    phi_1079_ = type_60(type_33(vec4<f32>(_e604, _e606, _e608, 0f), vec4<f32>(_e610, _e612, _e614, 0f)), _e619);
-                                    phi_1080_ = (_e622 <= _e587.member_1);
-                                    phi_1081_ = _e600;
+                                    let _e617 = local_9[_e596];
+                                    phi_1065_ = type_57(type_33(vec4<f32>(_e599, _e601, _e603, 0f), vec4<f32>(_e605, _e607, _e609, 0f)), _e614);
+                                    phi_1066_ = (_e617 <= _e582.member_1);
+                                    phi_1067_ = _e595;
                                 }
-                                let _e626 = phi_1079_;
-                                let _e628 = phi_1080_;
-                                let _e630 = phi_1081_;
-                                if _e628 {
-                                    let _e635 = (_e626.member_1 & 268435455u);
-                                    if ((_e626.member_1 & 2147483648u) != 0u) {
-                                        phi_3994_ = _e585;
-                                        phi_1100_ = _e587;
-                                        phi_1103_ = type_8(0u, ((_e626.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e621 = phi_1065_;
+                                let _e623 = phi_1066_;
+                                let _e625 = phi_1067_;
+                                if _e623 {
+                                    let _e630 = (_e621.member_1 & 268435455u);
+                                    if ((_e621.member_1 & 2147483648u) != 0u) {
+                                        phi_1086_ = _e582;
+                                        phi_1089_ = type_8(0u, ((_e621.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1113 = phi_3994_;
-                                            let _e1115 = phi_1100_;
-                                            let _e1117 = phi_1103_;
-                                            local_14 = _e1115;
-                                            if (_e1117.member < _e1117.member_1) {
-                                                phi_1104_ = type_8((_e1117.member + 1u), _e1117.member_1);
-                                                phi_1126_ = type_8(1u, _e1117.member);
+                                            let _e1108 = phi_1086_;
+                                            let _e1110 = phi_1089_;
+                                            local_11 = _e1108;
+                                            if (_e1110.member < _e1110.member_1) {
+                                                phi_1090_ = type_8((_e1110.member + 1u), _e1110.member_1);
+                                                phi_1112_ = type_8(1u, _e1110.member);
                                             } else {
-                                                phi_1104_ = _e1117;
-                                                phi_1126_ = type_8(0u, type_8().member_1);
+                                                phi_1090_ = _e1110;
+                                                phi_1112_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1130 = phi_1104_;
-                                            let _e1132 = phi_1126_;
-                                            let _e1136 = (bitcast<i32>(_e1132.member) != 0i);
-                                            if _e1136 {
-                                                let _e1141 = (_e626.member.member_1.x - _e626.member.member.x);
-                                                let _e1144 = (_e626.member.member_1.y - _e626.member.member.y);
-                                                let _e1147 = (_e626.member.member_1.z - _e626.member.member.z);
-                                                let _e1149 = select(_e1144, _e1141, (_e1141 > _e1144));
-                                                let _e1151 = select(_e1147, _e1149, (_e1149 > _e1147));
-                                                let _e1153 = (_e1151 < (1024f * _e162));
-                                                if _e1153 {
-                                                    phi_1167_ = 0u;
+                                            let _e1123 = phi_1090_;
+                                            let _e1125 = phi_1112_;
+                                            let _e1129 = (bitcast<i32>(_e1125.member) != 0i);
+                                            if _e1129 {
+                                                let _e1134 = (_e621.member.member_1.x - _e621.member.member.x);
+                                                let _e1137 = (_e621.member.member_1.y - _e621.member.member.y);
+                                                let _e1140 = (_e621.member.member_1.z - _e621.member.member.z);
+                                                let _e1142 = select(_e1137, _e1134, (_e1134 > _e1137));
+                                                let _e1144 = select(_e1140, _e1142, (_e1142 > _e1140));
+                                                let _e1146 = (_e1144 < (1024f * _e157));
+                                                if _e1146 {
+                                                    phi_1153_ = 0u;
                                                 } else {
-                                                    phi_1167_ = select(2u, 1u, (_e1151 < (2097152f * _e162)));
+                                                    phi_1153_ = select(2u, 1u, (_e1144 < (2097152f * _e157)));
                                                 }
-                                                let _e1158 = phi_1167_;
-                                                switch bitcast<i32>(_e1158) {
+                                                let _e1151 = phi_1153_;
+                                                switch bitcast<i32>(_e1151) {
                                                     case 0: {
-                                                        phi_1173_ = 1u;
+                                                        phi_1159_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1173_ = 2u;
+                                                        phi_1159_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1173_ = 3u;
+                                                        phi_1159_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1173_ = u32();
+                                                        phi_1159_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1161 = phi_1173_;
-                                                switch bitcast<i32>(_e1158) {
+                                                let _e1154 = phi_1159_;
+                                                switch bitcast<i32>(_e1151) {
                                                     case 0: {
-                                                        phi_1183_ = 1u;
+                                                        phi_1169_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1183_ = 2u;
+                                                        phi_1169_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1183_ = 3u;
+                                                        phi_1169_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1183_ = u32();
+                                                        phi_1169_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1168 = phi_1183_;
-                                                let _e1170 = ((_e635 + (_e1132.member_1 * ((3u * _e1161) + 1u))) + (3u * _e1168));
-                                                let _e1171 = (_e1170 < _e106);
-                                                if _e1171 {
-                                                    if _e1171 {
+                                                let _e1161 = phi_1169_;
+                                                let _e1163 = ((_e630 + (_e1125.member_1 * ((3u * _e1154) + 1u))) + (3u * _e1161));
+                                                let _e1164 = (_e1163 < _e101);
+                                                if _e1164 {
+                                                    if _e1164 {
                                                     } else {
-                                                        phi_4056_ = true;
+                                                        phi_4317_ = true;
                                                         break;
                                                     }
-                                                    let _e1173 = global_10.member[_e1170];
-                                                    phi_1199_ = _e1173;
+                                                    let _e1166 = global_10.member[_e1163];
+                                                    phi_1185_ = _e1166;
                                                 } else {
-                                                    phi_1199_ = 4294967295u;
+                                                    phi_1185_ = 4294967295u;
                                                 }
-                                                let _e1175 = phi_1199_;
-                                                local_10 = array<u32, 3>(_e365, _e364, _e366);
-                                                if _e1153 {
-                                                    phi_1236_ = 0u;
+                                                let _e1168 = phi_1185_;
+                                                if _e1146 {
+                                                    phi_1218_ = 0u;
                                                 } else {
-                                                    phi_1236_ = select(2u, 1u, (_e1151 < (2097152f * _e162)));
+                                                    phi_1218_ = select(2u, 1u, (_e1144 < (2097152f * _e157)));
                                                 }
-                                                let _e1181 = phi_1236_;
-                                                switch bitcast<i32>(_e1181) {
+                                                let _e1173 = phi_1218_;
+                                                switch bitcast<i32>(_e1173) {
                                                     case 0: {
-                                                        phi_1242_ = 1u;
+                                                        phi_1224_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1242_ = 2u;
+                                                        phi_1224_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1242_ = 3u;
+                                                        phi_1224_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1242_ = u32();
+                                                        phi_1224_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1184 = phi_1242_;
-                                                switch bitcast<i32>(_e1181) {
+                                                let _e1176 = phi_1224_;
+                                                let _e1180 = (_e630 + (_e1125.member_1 * ((3u * _e1176) + 1u)));
+                                                switch bitcast<i32>(_e1173) {
                                                     case 0: {
-                                                        phi_1252_ = 1u;
-                                                        break;
-                                                    }
-                                                    case 1: {
-                                                        phi_1252_ = 2u;
-                                                        break;
-                                                    }
-                                                    case 2: {
-                                                        phi_1252_ = 3u;
-                                                        break;
-                                                    }
-                                                    default: {
-                                                        phi_1252_ = u32();
-                                                        break;
-                                                    }
-                                                }
-                                                let _e1191 = phi_1252_;
-                                                local_12 = array<f32, 4>(_e626.member.member.x, _e626.member.member.y, _e626.member.member.z, _e626.member.member.w);
-                                                local_11[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                phi_3979_ = _e1113;
-                                                phi_1268_ = type_8(0u, 3u);
-                                                loop {
-                                                    let _e1205 = phi_3979_;
-                                                    let _e1207 = phi_1268_;
-                                                    if (_e1207.member < _e1207.member_1) {
-                                                        phi_1269_ = type_8((_e1207.member + 1u), _e1207.member_1);
-                                                        phi_1292_ = type_8(1u, _e1207.member);
-                                                    } else {
-                                                        phi_1269_ = _e1207;
-                                                        phi_1292_ = type_8(0u, type_8().member_1);
-                                                    }
-                                                    let _e1220 = phi_1269_;
-                                                    let _e1222 = phi_1292_;
-                                                    let _e1226 = (bitcast<i32>(_e1222.member) != 0i);
-                                                    if _e1226 {
-                                                        let _e1228 = ((_e635 + (_e1132.member_1 * ((3u * _e1184) + 1u))) + (_e1222.member_1 * _e1191));
-                                                        let _e1229 = (_e1228 < _e106);
-                                                        if _e1229 {
-                                                            if _e1229 {
+                                                        let _e1446 = (_e1180 < _e101);
+                                                        if _e1446 {
+                                                            if _e1446 {
                                                             } else {
-                                                                phi_4054_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1231 = global_10.member[_e1228];
-                                                            phi_1315_ = _e1231;
+                                                            let _e1448 = global_10.member[_e1180];
+                                                            phi_1248_ = _e1448;
                                                         } else {
-                                                            phi_1315_ = 0u;
+                                                            phi_1248_ = 0u;
                                                         }
-                                                        let _e1233 = phi_1315_;
-                                                        let _e1234 = (_e1228 + 1u);
-                                                        let _e1235 = (_e1234 < _e106);
-                                                        if _e1235 {
-                                                            if _e1235 {
+                                                        let _e1450 = phi_1248_;
+                                                        let _e1452 = ((10u * _e360) & 31u);
+                                                        let _e1461 = ((10u * _e359) & 31u);
+                                                        let _e1470 = ((10u * _e361) & 31u);
+                                                        let _e1479 = (_e1180 + 1u);
+                                                        let _e1480 = (_e1479 < _e101);
+                                                        if _e1480 {
+                                                            if _e1480 {
                                                             } else {
-                                                                phi_4054_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1237 = global_10.member[_e1234];
-                                                            phi_1330_ = _e1237;
+                                                            let _e1482 = global_10.member[_e1479];
+                                                            phi_1291_ = _e1482;
                                                         } else {
-                                                            phi_1330_ = 0u;
+                                                            phi_1291_ = 0u;
                                                         }
-                                                        let _e1239 = phi_1330_;
-                                                        phi_1333_ = type_8(0u, 3u);
-                                                        loop {
-                                                            let _e1241 = phi_1333_;
-                                                            if (_e1241.member < _e1241.member_1) {
-                                                                phi_1334_ = type_8((_e1241.member + 1u), _e1241.member_1);
-                                                                phi_1357_ = type_8(1u, _e1241.member);
+                                                        let _e1484 = phi_1291_;
+                                                        let _e1507 = (_e1180 + 2u);
+                                                        let _e1508 = (_e1507 < _e101);
+                                                        if _e1508 {
+                                                            if _e1508 {
                                                             } else {
-                                                                phi_1334_ = _e1241;
-                                                                phi_1357_ = type_8(0u, type_8().member_1);
+                                                                phi_4317_ = true;
+                                                                break;
                                                             }
-                                                            let _e1254 = phi_1334_;
-                                                            let _e1256 = phi_1357_;
-                                                            let _e1260 = (bitcast<i32>(_e1256.member) != 0i);
-                                                            if _e1260 {
-                                                                let _e1261 = (_e1256.member_1 < 3u);
-                                                                if _e1261 {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1263 = local_10[_e1256.member_1];
-                                                                if (_e1256.member_1 < 4u) {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                let _e1266 = local_12[_e1256.member_1];
-                                                                switch bitcast<i32>(_e1181) {
-                                                                    case 0: {
-                                                                        phi_1427_ = (_e1266 + (f32(((_e1233 >> bitcast<u32>(((10u * _e1263) & 31u))) & 1023u)) * _e162));
-                                                                        break;
-                                                                    }
-                                                                    case 1: {
-                                                                        if (_e1263 == 0u) {
-                                                                            phi_1404_ = _e1233;
-                                                                        } else {
-                                                                            if (_e1263 == 1u) {
-                                                                                phi_1403_ = ((_e1233 >> bitcast<u32>(21i)) | (_e1239 << bitcast<u32>(11i)));
-                                                                            } else {
-                                                                                phi_1403_ = (_e1239 >> bitcast<u32>(10i));
-                                                                            }
-                                                                            let _e1287 = phi_1403_;
-                                                                            phi_1404_ = _e1287;
-                                                                        }
-                                                                        let _e1289 = phi_1404_;
-                                                                        phi_1427_ = (_e1266 + (f32((_e1289 & 2097151u)) * _e162));
-                                                                        break;
-                                                                    }
-                                                                    case 2: {
-                                                                        let _e1268 = (_e1228 + _e1263);
-                                                                        let _e1269 = (_e1268 < _e106);
-                                                                        if _e1269 {
-                                                                            if _e1269 {
-                                                                            } else {
-                                                                                phi_3972_ = true;
-                                                                                break;
-                                                                            }
-                                                                            let _e1271 = global_10.member[_e1268];
-                                                                            phi_1423_ = _e1271;
-                                                                        } else {
-                                                                            phi_1423_ = 0u;
-                                                                        }
-                                                                        let _e1273 = phi_1423_;
-                                                                        phi_1427_ = (f32(bitcast<i32>(_e1273)) * _e162);
-                                                                        break;
-                                                                    }
-                                                                    default: {
-                                                                        phi_1427_ = f32();
-                                                                        break;
-                                                                    }
-                                                                }
-                                                                let _e1303 = phi_1427_;
-                                                                if (_e1222.member_1 < 3u) {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                if _e1261 {
-                                                                } else {
-                                                                    phi_3972_ = true;
-                                                                    break;
-                                                                }
-                                                                local_11[_e1222.member_1][_e1256.member_1] = _e1303;
-                                                            }
-                                                            continue;
-                                                            continuing {
-                                                                phi_1333_ = _e1254;
-                                                                phi_3972_ = _e1205;
-                                                                break if !(_e1260);
-                                                            }
+                                                            let _e1510 = global_10.member[_e1507];
+                                                            phi_1334_ = _e1510;
+                                                        } else {
+                                                            phi_1334_ = 0u;
                                                         }
-                                                        let _e1309 = phi_3972_;
-                                                        phi_4054_ = _e1309;
-                                                        if _e1309 {
-                                                            break;
-                                                        }
-                                                        phi_4055_ = _e1309;
-                                                    } else {
-                                                        phi_4055_ = _e1205;
+                                                        let _e1512 = phi_1334_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1452)) & 1023u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1461)) & 1023u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>(((_e1450 >> bitcast<u32>(_e1470)) & 1023u))) * _e157))), array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>(((_e1484 >> bitcast<u32>(_e1452)) & 1023u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>(((_e1484 >> bitcast<u32>(_e1461)) & 1023u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>(((_e1484 >> bitcast<u32>(_e1470)) & 1023u))) * _e157))), array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>(((_e1512 >> bitcast<u32>(_e1452)) & 1023u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>(((_e1512 >> bitcast<u32>(_e1461)) & 1023u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>(((_e1512 >> bitcast<u32>(_e1470)) & 1023u))) * _e157))));
+                                                        break;
                                                     }
-                                                    let _e1311 = phi_4055_;
-                                                    continue;
-                                                    continuing {
-                                                        phi_3979_ = _e1311;
-                                                        phi_1268_ = _e1220;
-                                                        phi_4054_ = _e1311;
-                                                        break if !(_e1226);
+                                                    case 1: {
+                                                        let _e1269 = (_e1180 < _e101);
+                                                        if _e1269 {
+                                                            if _e1269 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1271 = global_10.member[_e1180];
+                                                            phi_1377_ = _e1271;
+                                                        } else {
+                                                            phi_1377_ = 0u;
+                                                        }
+                                                        let _e1273 = phi_1377_;
+                                                        let _e1274 = (_e1180 + 1u);
+                                                        let _e1275 = (_e1274 < _e101);
+                                                        if _e1275 {
+                                                            if _e1275 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1277 = global_10.member[_e1274];
+                                                            phi_1392_ = _e1277;
+                                                        } else {
+                                                            phi_1392_ = 0u;
+                                                        }
+                                                        let _e1279 = phi_1392_;
+                                                        let _e1280 = (_e360 == 1u);
+                                                        if _e1280 {
+                                                            phi_1402_ = ((_e1273 >> bitcast<u32>(21i)) | (_e1279 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1402_ = (_e1279 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1289 = phi_1402_;
+                                                        let _e1296 = (_e359 == 1u);
+                                                        if _e1296 {
+                                                            phi_1422_ = ((_e1273 >> bitcast<u32>(21i)) | (_e1279 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1422_ = (_e1279 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1305 = phi_1422_;
+                                                        let _e1312 = (_e361 == 1u);
+                                                        if _e1312 {
+                                                            phi_1442_ = ((_e1273 >> bitcast<u32>(21i)) | (_e1279 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1442_ = (_e1279 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1321 = phi_1442_;
+                                                        let _e1329 = (_e1180 + 2u);
+                                                        let _e1330 = (_e1329 < _e101);
+                                                        if _e1330 {
+                                                            if _e1330 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1332 = global_10.member[_e1329];
+                                                            phi_1468_ = _e1332;
+                                                        } else {
+                                                            phi_1468_ = 0u;
+                                                        }
+                                                        let _e1334 = phi_1468_;
+                                                        let _e1335 = (_e1180 + 3u);
+                                                        let _e1336 = (_e1335 < _e101);
+                                                        if _e1336 {
+                                                            if _e1336 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1338 = global_10.member[_e1335];
+                                                            phi_1483_ = _e1338;
+                                                        } else {
+                                                            phi_1483_ = 0u;
+                                                        }
+                                                        let _e1340 = phi_1483_;
+                                                        if _e1280 {
+                                                            phi_1493_ = ((_e1334 >> bitcast<u32>(21i)) | (_e1340 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1493_ = (_e1340 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1349 = phi_1493_;
+                                                        if _e1296 {
+                                                            phi_1513_ = ((_e1334 >> bitcast<u32>(21i)) | (_e1340 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1513_ = (_e1340 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1364 = phi_1513_;
+                                                        if _e1312 {
+                                                            phi_1533_ = ((_e1334 >> bitcast<u32>(21i)) | (_e1340 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1533_ = (_e1340 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1379 = phi_1533_;
+                                                        let _e1387 = (_e1180 + 4u);
+                                                        let _e1388 = (_e1387 < _e101);
+                                                        if _e1388 {
+                                                            if _e1388 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1390 = global_10.member[_e1387];
+                                                            phi_1559_ = _e1390;
+                                                        } else {
+                                                            phi_1559_ = 0u;
+                                                        }
+                                                        let _e1392 = phi_1559_;
+                                                        let _e1393 = (_e1180 + 5u);
+                                                        let _e1394 = (_e1393 < _e101);
+                                                        if _e1394 {
+                                                            if _e1394 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1396 = global_10.member[_e1393];
+                                                            phi_1574_ = _e1396;
+                                                        } else {
+                                                            phi_1574_ = 0u;
+                                                        }
+                                                        let _e1398 = phi_1574_;
+                                                        if _e1280 {
+                                                            phi_1584_ = ((_e1392 >> bitcast<u32>(21i)) | (_e1398 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1584_ = (_e1398 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1407 = phi_1584_;
+                                                        if _e1296 {
+                                                            phi_1604_ = ((_e1392 >> bitcast<u32>(21i)) | (_e1398 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1604_ = (_e1398 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1422 = phi_1604_;
+                                                        if _e1312 {
+                                                            phi_1624_ = ((_e1392 >> bitcast<u32>(21i)) | (_e1398 << bitcast<u32>(11i)));
+                                                        } else {
+                                                            phi_1624_ = (_e1398 >> bitcast<u32>(10i));
+                                                        }
+                                                        let _e1437 = phi_1624_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>((select(_e1289, _e1273, _e384) & 2097151u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>((select(_e1305, _e1273, _e421) & 2097151u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>((select(_e1321, _e1273, _e457) & 2097151u))) * _e157))), array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>((select(_e1349, _e1334, _e384) & 2097151u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>((select(_e1364, _e1334, _e421) & 2097151u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>((select(_e1379, _e1334, _e457) & 2097151u))) * _e157))), array<f32, 3>((_e621.member.member.x + (f32(bitcast<i32>((select(_e1407, _e1392, _e384) & 2097151u))) * _e157)), (_e621.member.member.y + (f32(bitcast<i32>((select(_e1422, _e1392, _e421) & 2097151u))) * _e157)), (_e621.member.member.z + (f32(bitcast<i32>((select(_e1437, _e1392, _e457) & 2097151u))) * _e157))));
+                                                        break;
+                                                    }
+                                                    case 2: {
+                                                        let _e1182 = (_e1180 + _e360);
+                                                        let _e1183 = (_e1182 < _e101);
+                                                        if _e1183 {
+                                                            if _e1183 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1185 = global_10.member[_e1182];
+                                                            phi_1651_ = _e1185;
+                                                        } else {
+                                                            phi_1651_ = 0u;
+                                                        }
+                                                        let _e1187 = phi_1651_;
+                                                        let _e1191 = (_e1180 + _e359);
+                                                        let _e1192 = (_e1191 < _e101);
+                                                        if _e1192 {
+                                                            if _e1192 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1194 = global_10.member[_e1191];
+                                                            phi_1669_ = _e1194;
+                                                        } else {
+                                                            phi_1669_ = 0u;
+                                                        }
+                                                        let _e1196 = phi_1669_;
+                                                        let _e1200 = (_e1180 + _e361);
+                                                        let _e1201 = (_e1200 < _e101);
+                                                        if _e1201 {
+                                                            if _e1201 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1203 = global_10.member[_e1200];
+                                                            phi_1687_ = _e1203;
+                                                        } else {
+                                                            phi_1687_ = 0u;
+                                                        }
+                                                        let _e1205 = phi_1687_;
+                                                        let _e1210 = (_e1180 + 3u);
+                                                        let _e1211 = (_e1210 + _e360);
+                                                        let _e1212 = (_e1211 < _e101);
+                                                        if _e1212 {
+                                                            if _e1212 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1214 = global_10.member[_e1211];
+                                                            phi_1707_ = _e1214;
+                                                        } else {
+                                                            phi_1707_ = 0u;
+                                                        }
+                                                        let _e1216 = phi_1707_;
+                                                        let _e1220 = (_e1210 + _e359);
+                                                        let _e1221 = (_e1220 < _e101);
+                                                        if _e1221 {
+                                                            if _e1221 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1223 = global_10.member[_e1220];
+                                                            phi_1725_ = _e1223;
+                                                        } else {
+                                                            phi_1725_ = 0u;
+                                                        }
+                                                        let _e1225 = phi_1725_;
+                                                        let _e1229 = (_e1210 + _e361);
+                                                        let _e1230 = (_e1229 < _e101);
+                                                        if _e1230 {
+                                                            if _e1230 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1232 = global_10.member[_e1229];
+                                                            phi_1743_ = _e1232;
+                                                        } else {
+                                                            phi_1743_ = 0u;
+                                                        }
+                                                        let _e1234 = phi_1743_;
+                                                        let _e1239 = (_e1180 + 6u);
+                                                        let _e1240 = (_e1239 + _e360);
+                                                        let _e1241 = (_e1240 < _e101);
+                                                        if _e1241 {
+                                                            if _e1241 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1243 = global_10.member[_e1240];
+                                                            phi_1763_ = _e1243;
+                                                        } else {
+                                                            phi_1763_ = 0u;
+                                                        }
+                                                        let _e1245 = phi_1763_;
+                                                        let _e1249 = (_e1239 + _e359);
+                                                        let _e1250 = (_e1249 < _e101);
+                                                        if _e1250 {
+                                                            if _e1250 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1252 = global_10.member[_e1249];
+                                                            phi_1781_ = _e1252;
+                                                        } else {
+                                                            phi_1781_ = 0u;
+                                                        }
+                                                        let _e1254 = phi_1781_;
+                                                        let _e1258 = (_e1239 + _e361);
+                                                        let _e1259 = (_e1258 < _e101);
+                                                        if _e1259 {
+                                                            if _e1259 {
+                                                            } else {
+                                                                phi_4317_ = true;
+                                                                break;
+                                                            }
+                                                            let _e1261 = global_10.member[_e1258];
+                                                            phi_1799_ = _e1261;
+                                                        } else {
+                                                            phi_1799_ = 0u;
+                                                        }
+                                                        let _e1263 = phi_1799_;
+                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1187)) * _e157), (f32(bitcast<i32>(_e1196)) * _e157), (f32(bitcast<i32>(_e1205)) * _e157)), array<f32, 3>((f32(bitcast<i32>(_e1216)) * _e157), (f32(bitcast<i32>(_e1225)) * _e157), (f32(bitcast<i32>(_e1234)) * _e157)), array<f32, 3>((f32(bitcast<i32>(_e1245)) * _e157), (f32(bitcast<i32>(_e1254)) * _e157), (f32(bitcast<i32>(_e1263)) * _e157)));
+                                                        break;
+                                                    }
+                                                    default: {
+                                                        phi_1805_ = array<array<f32, 3>, 3>();
+                                                        break;
                                                     }
                                                 }
-                                                let _e1314 = phi_4054_;
-                                                phi_4056_ = _e1314;
-                                                if _e1314 {
-                                                    break;
-                                                }
-                                                let _e1315 = local_11;
-                                                let _e1331 = (_e1315[0][2] - _e470);
-                                                let _e1334 = (((_e1315[0][0] - _e397) * _e494) - (_e1331 * _e422));
-                                                let _e1337 = (((_e1315[0][1] - _e434) * _e494) - (_e1331 * _e458));
-                                                let _e1340 = (_e1315[1][2] - _e470);
-                                                let _e1343 = (((_e1315[1][0] - _e397) * _e494) - (_e1340 * _e422));
-                                                let _e1346 = (((_e1315[1][1] - _e434) * _e494) - (_e1340 * _e458));
-                                                let _e1349 = (_e1315[2][2] - _e470);
-                                                let _e1352 = (((_e1315[2][0] - _e397) * _e494) - (_e1349 * _e422));
-                                                let _e1355 = (((_e1315[2][1] - _e434) * _e494) - (_e1349 * _e458));
-                                                let _e1356 = (_e1352 * _e1346);
-                                                let _e1357 = (_e1355 * _e1343);
-                                                let _e1358 = (_e1334 * _e1355);
-                                                let _e1359 = (_e1337 * _e1352);
-                                                let _e1360 = (_e1343 * _e1337);
-                                                let _e1361 = (_e1346 * _e1334);
-                                                let _e1366 = (((_e1356 >= _e1357) && (_e1358 >= _e1359)) && (_e1360 >= _e1361));
-                                                if (_e1366 || (((_e1356 <= _e1357) && (_e1358 <= _e1359)) && (_e1360 <= _e1361))) {
-                                                    let _e1373 = select(-1f, 1f, _e1366);
-                                                    let _e1375 = ((_e1356 - _e1357) * _e1373);
-                                                    let _e1377 = select(0f, _e1375, (_e1375 > 0f));
-                                                    let _e1379 = ((_e1358 - _e1359) * _e1373);
-                                                    let _e1381 = select(0f, _e1379, (_e1379 > 0f));
-                                                    let _e1383 = ((_e1360 - _e1361) * _e1373);
-                                                    let _e1385 = select(0f, _e1383, (_e1383 > 0f));
-                                                    let _e1387 = ((_e1377 + _e1381) + _e1385);
-                                                    if (_e1387 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2022_ = type_21();
-                                                        phi_2023_ = true;
+                                                let _e1537 = phi_1805_;
+                                                let _e1545 = (_e1537[0][2] - _e465);
+                                                let _e1548 = (((_e1537[0][0] - _e392) * _e489) - (_e1545 * _e417));
+                                                let _e1551 = (((_e1537[0][1] - _e429) * _e489) - (_e1545 * _e453));
+                                                let _e1558 = (_e1537[1][2] - _e465);
+                                                let _e1561 = (((_e1537[1][0] - _e392) * _e489) - (_e1558 * _e417));
+                                                let _e1564 = (((_e1537[1][1] - _e429) * _e489) - (_e1558 * _e453));
+                                                let _e1571 = (_e1537[2][2] - _e465);
+                                                let _e1574 = (((_e1537[2][0] - _e392) * _e489) - (_e1571 * _e417));
+                                                let _e1577 = (((_e1537[2][1] - _e429) * _e489) - (_e1571 * _e453));
+                                                let _e1578 = (_e1574 * _e1564);
+                                                let _e1579 = (_e1577 * _e1561);
+                                                let _e1580 = (_e1548 * _e1577);
+                                                let _e1581 = (_e1551 * _e1574);
+                                                let _e1582 = (_e1561 * _e1551);
+                                                let _e1583 = (_e1564 * _e1548);
+                                                let _e1588 = (((_e1578 >= _e1579) && (_e1580 >= _e1581)) && (_e1582 >= _e1583));
+                                                if (_e1588 || (((_e1578 <= _e1579) && (_e1580 <= _e1581)) && (_e1582 <= _e1583))) {
+                                                    let _e1595 = select(-1f, 1f, _e1588);
+                                                    let _e1597 = ((_e1578 - _e1579) * _e1595);
+                                                    let _e1599 = select(0f, _e1597, (_e1597 > 0f));
+                                                    let _e1601 = ((_e1580 - _e1581) * _e1595);
+                                                    let _e1603 = select(0f, _e1601, (_e1601 > 0f));
+                                                    let _e1605 = ((_e1582 - _e1583) * _e1595);
+                                                    let _e1607 = select(0f, _e1605, (_e1605 > 0f));
+                                                    let _e1609 = ((_e1599 + _e1603) + _e1607);
+                                                    if (_e1609 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2371_ = type_21();
+                                                        phi_2372_ = true;
                                                     } else {
-                                                        let _e1390 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] < _e1315[1][0]));
-                                                        let _e1394 = select(_e1315[1][0], _e1315[0][0], (_e1315[0][0] > _e1315[1][0]));
-                                                        let _e1398 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] < _e1315[1][1]));
-                                                        let _e1402 = select(_e1315[1][1], _e1315[0][1], (_e1315[0][1] > _e1315[1][1]));
-                                                        let _e1406 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] < _e1315[1][2]));
-                                                        let _e1410 = select(_e1315[1][2], _e1315[0][2], (_e1315[0][2] > _e1315[1][2]));
-                                                        let _e1415 = ((select(_e1315[2][0], _e1390, (_e1390 < _e1315[2][0])) - _e420) * _e425);
-                                                        let _e1416 = ((select(_e1315[2][0], _e1394, (_e1394 > _e1315[2][0])) - _e421) * _e425);
-                                                        let _e1419 = ((select(_e1315[2][1], _e1398, (_e1398 < _e1315[2][1])) - _e456) * _e461);
-                                                        let _e1420 = ((select(_e1315[2][1], _e1402, (_e1402 > _e1315[2][1])) - _e457) * _e461);
-                                                        let _e1423 = ((select(_e1315[2][2], _e1406, (_e1406 < _e1315[2][2])) - _e492) * _e497);
-                                                        let _e1424 = ((select(_e1315[2][2], _e1410, (_e1410 > _e1315[2][2])) - _e493) * _e497);
-                                                        let _e1426 = select(_e1424, _e1423, (_e1423 < _e1424));
-                                                        let _e1428 = select(_e1424, _e1423, (_e1423 > _e1424));
-                                                        let _e1430 = select(_e1416, _e1415, (_e1415 < _e1416));
-                                                        let _e1432 = select(_e1420, _e1419, (_e1419 < _e1420));
-                                                        let _e1434 = select(_e1432, _e1430, (_e1430 > _e1432));
-                                                        let _e1436 = select(_e1426, _e1434, (_e1434 > _e1426));
-                                                        let _e1438 = select(_e1416, _e1415, (_e1415 > _e1416));
-                                                        let _e1440 = select(_e1420, _e1419, (_e1419 > _e1420));
-                                                        let _e1442 = select(_e1440, _e1438, (_e1438 < _e1440));
-                                                        let _e1444 = select(_e1428, _e1442, (_e1442 < _e1428));
-                                                        let _e1445 = -(_e1426);
-                                                        let _e1451 = select(_e543, _e1436, (_e1436 > _e543));
-                                                        if (_e1451 > (_e1444 + (select(_e1445, _e1428, (_e1428 > _e1445)) * 0.0000019073523f))) {
-                                                            phi_2017_ = type_21();
-                                                            phi_2018_ = true;
+                                                        let _e1612 = select(_e1537[1][0], _e1537[0][0], (_e1537[0][0] < _e1537[1][0]));
+                                                        let _e1616 = select(_e1537[1][0], _e1537[0][0], (_e1537[0][0] > _e1537[1][0]));
+                                                        let _e1620 = select(_e1537[1][1], _e1537[0][1], (_e1537[0][1] < _e1537[1][1]));
+                                                        let _e1624 = select(_e1537[1][1], _e1537[0][1], (_e1537[0][1] > _e1537[1][1]));
+                                                        let _e1628 = select(_e1537[1][2], _e1537[0][2], (_e1537[0][2] < _e1537[1][2]));
+                                                        let _e1632 = select(_e1537[1][2], _e1537[0][2], (_e1537[0][2] > _e1537[1][2]));
+                                                        let _e1637 = ((select(_e1537[2][0], _e1612, (_e1612 < _e1537[2][0])) - _e415) * _e420);
+                                                        let _e1638 = ((select(_e1537[2][0], _e1616, (_e1616 > _e1537[2][0])) - _e416) * _e420);
+                                                        let _e1641 = ((select(_e1537[2][1], _e1620, (_e1620 < _e1537[2][1])) - _e451) * _e456);
+                                                        let _e1642 = ((select(_e1537[2][1], _e1624, (_e1624 > _e1537[2][1])) - _e452) * _e456);
+                                                        let _e1645 = ((select(_e1537[2][2], _e1628, (_e1628 < _e1537[2][2])) - _e487) * _e492);
+                                                        let _e1646 = ((select(_e1537[2][2], _e1632, (_e1632 > _e1537[2][2])) - _e488) * _e492);
+                                                        let _e1648 = select(_e1646, _e1645, (_e1645 < _e1646));
+                                                        let _e1650 = select(_e1646, _e1645, (_e1645 > _e1646));
+                                                        let _e1652 = select(_e1638, _e1637, (_e1637 < _e1638));
+                                                        let _e1654 = select(_e1642, _e1641, (_e1641 < _e1642));
+                                                        let _e1656 = select(_e1654, _e1652, (_e1652 > _e1654));
+                                                        let _e1658 = select(_e1648, _e1656, (_e1656 > _e1648));
+                                                        let _e1660 = select(_e1638, _e1637, (_e1637 > _e1638));
+                                                        let _e1662 = select(_e1642, _e1641, (_e1641 > _e1642));
+                                                        let _e1664 = select(_e1662, _e1660, (_e1660 < _e1662));
+                                                        let _e1666 = select(_e1650, _e1664, (_e1664 < _e1650));
+                                                        let _e1667 = -(_e1648);
+                                                        let _e1673 = select(_e538, _e1658, (_e1658 > _e538));
+                                                        if (_e1673 > (_e1666 + (select(_e1667, _e1650, (_e1650 > _e1667)) * 0.0000019073523f))) {
+                                                            phi_2366_ = type_21();
+                                                            phi_2367_ = true;
                                                         } else {
-                                                            let _e1453 = (_e1451 > _e1115.member_1);
-                                                            if _e1453 {
-                                                                phi_2016_ = type_21();
+                                                            let _e1675 = (_e1673 > _e1108.member_1);
+                                                            if _e1675 {
+                                                                phi_2365_ = type_21();
                                                             } else {
-                                                                let _e1457 = (_e1315[1][0] - _e1315[0][0]);
-                                                                let _e1458 = (_e1315[1][1] - _e1315[0][1]);
-                                                                let _e1459 = (_e1315[1][2] - _e1315[0][2]);
-                                                                let _e1460 = vec3<f32>(_e1457, _e1458, _e1459);
-                                                                let _e1461 = (_e1315[2][0] - _e1315[1][0]);
-                                                                let _e1462 = (_e1315[2][1] - _e1315[1][1]);
-                                                                let _e1463 = (_e1315[2][2] - _e1315[1][2]);
-                                                                let _e1464 = vec3<f32>(_e1461, _e1462, _e1463);
-                                                                let _e1465 = (_e1315[0][0] - _e1315[2][0]);
-                                                                let _e1466 = (_e1315[0][1] - _e1315[2][1]);
-                                                                let _e1467 = (_e1315[0][2] - _e1315[2][2]);
-                                                                let _e1468 = vec3<f32>(_e1465, _e1466, _e1467);
-                                                                let _e1471 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
-                                                                let _e1474 = bitcast<f32>((bitcast<u32>(_e1458) & 2147483647u));
-                                                                let _e1476 = select(_e1474, _e1471, (_e1471 > _e1474));
-                                                                let _e1479 = bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u));
-                                                                let _e1481 = select(_e1479, _e1476, (_e1476 > _e1479));
-                                                                let _e1484 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
-                                                                let _e1487 = bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u));
-                                                                let _e1489 = select(_e1487, _e1484, (_e1484 > _e1487));
-                                                                let _e1492 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
-                                                                let _e1494 = select(_e1492, _e1489, (_e1489 > _e1492));
-                                                                let _e1497 = bitcast<f32>((bitcast<u32>(_e1465) & 2147483647u));
-                                                                let _e1500 = bitcast<f32>((bitcast<u32>(_e1466) & 2147483647u));
-                                                                let _e1502 = select(_e1500, _e1497, (_e1497 > _e1500));
-                                                                let _e1505 = bitcast<f32>((bitcast<u32>(_e1467) & 2147483647u));
-                                                                let _e1507 = select(_e1505, _e1502, (_e1502 > _e1505));
-                                                                let _e1509 = select(_e1494, _e1481, (_e1481 > _e1494));
-                                                                let _e1511 = select(_e1507, _e1509, (_e1509 > _e1507));
-                                                                if (_e1481 == _e1511) {
-                                                                    phi_1927_ = _e1464;
-                                                                    phi_1928_ = _e1468;
+                                                                let _e1679 = (_e1537[1][0] - _e1537[0][0]);
+                                                                let _e1680 = (_e1537[1][1] - _e1537[0][1]);
+                                                                let _e1681 = (_e1537[1][2] - _e1537[0][2]);
+                                                                let _e1682 = vec3<f32>(_e1679, _e1680, _e1681);
+                                                                let _e1683 = (_e1537[2][0] - _e1537[1][0]);
+                                                                let _e1684 = (_e1537[2][1] - _e1537[1][1]);
+                                                                let _e1685 = (_e1537[2][2] - _e1537[1][2]);
+                                                                let _e1686 = vec3<f32>(_e1683, _e1684, _e1685);
+                                                                let _e1687 = (_e1537[0][0] - _e1537[2][0]);
+                                                                let _e1688 = (_e1537[0][1] - _e1537[2][1]);
+                                                                let _e1689 = (_e1537[0][2] - _e1537[2][2]);
+                                                                let _e1690 = vec3<f32>(_e1687, _e1688, _e1689);
+                                                                let _e1693 = bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u));
+                                                                let _e1696 = bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u));
+                                                                let _e1698 = select(_e1696, _e1693, (_e1693 > _e1696));
+                                                                let _e1701 = bitcast<f32>((bitcast<u32>(_e1681) & 2147483647u));
+                                                                let _e1703 = select(_e1701, _e1698, (_e1698 > _e1701));
+                                                                let _e1706 = bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u));
+                                                                let _e1709 = bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u));
+                                                                let _e1711 = select(_e1709, _e1706, (_e1706 > _e1709));
+                                                                let _e1714 = bitcast<f32>((bitcast<u32>(_e1685) & 2147483647u));
+                                                                let _e1716 = select(_e1714, _e1711, (_e1711 > _e1714));
+                                                                let _e1719 = bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u));
+                                                                let _e1722 = bitcast<f32>((bitcast<u32>(_e1688) & 2147483647u));
+                                                                let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
+                                                                let _e1727 = bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u));
+                                                                let _e1729 = select(_e1727, _e1724, (_e1724 > _e1727));
+                                                                let _e1731 = select(_e1716, _e1703, (_e1703 > _e1716));
+                                                                let _e1733 = select(_e1729, _e1731, (_e1731 > _e1729));
+                                                                if (_e1703 == _e1733) {
+                                                                    phi_2276_ = _e1686;
+                                                                    phi_2277_ = _e1690;
                                                                 } else {
-                                                                    let _e1514 = vec3((_e1494 == _e1511));
-                                                                    phi_1927_ = select(_e1460, _e1468, _e1514);
-                                                                    phi_1928_ = select(_e1464, _e1460, _e1514);
+                                                                    let _e1736 = vec3((_e1716 == _e1733));
+                                                                    phi_2276_ = select(_e1682, _e1690, _e1736);
+                                                                    phi_2277_ = select(_e1686, _e1682, _e1736);
                                                                 }
-                                                                let _e1518 = phi_1927_;
-                                                                let _e1520 = phi_1928_;
-                                                                let _e1527 = ((_e1518.y * _e1520.z) - (_e1520.y * _e1518.z));
-                                                                let _e1532 = ((_e1518.z * _e1520.x) - (_e1520.z * _e1518.x));
-                                                                let _e1535 = ((_e1518.x * _e1520.y) - (_e1520.x * _e1518.y));
-                                                                if (_e1377 >= _e1381) {
-                                                                    phi_1959_ = select(true, false, (_e1377 >= _e1385));
+                                                                let _e1740 = phi_2276_;
+                                                                let _e1742 = phi_2277_;
+                                                                let _e1749 = ((_e1740.y * _e1742.z) - (_e1742.y * _e1740.z));
+                                                                let _e1754 = ((_e1740.z * _e1742.x) - (_e1742.z * _e1740.x));
+                                                                let _e1757 = ((_e1740.x * _e1742.y) - (_e1742.x * _e1740.y));
+                                                                if (_e1599 >= _e1603) {
+                                                                    phi_2308_ = select(true, false, (_e1599 >= _e1607));
                                                                 } else {
-                                                                    phi_1959_ = true;
+                                                                    phi_2308_ = true;
                                                                 }
-                                                                let _e1540 = phi_1959_;
-                                                                if _e1540 {
-                                                                    phi_1968_ = select(vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]), vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]), vec3((_e1381 >= _e1385)));
+                                                                let _e1762 = phi_2308_;
+                                                                if _e1762 {
+                                                                    phi_2317_ = select(vec3<f32>(_e1537[2][0], _e1537[2][1], _e1537[2][2]), vec3<f32>(_e1537[1][0], _e1537[1][1], _e1537[1][2]), vec3((_e1603 >= _e1607)));
                                                                 } else {
-                                                                    phi_1968_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
+                                                                    phi_2317_ = vec3<f32>(_e1537[0][0], _e1537[0][1], _e1537[0][2]);
                                                                 }
-                                                                let _e1545 = phi_1968_;
-                                                                let _e1562 = ((((_e1527 * (_e1545.x - _e397)) + (_e1532 * (_e1545.y - _e434))) + (_e1535 * (_e1545.z - _e470))) / (((_e1527 * _e422) + (_e1532 * _e458)) + (_e1535 * _e494)));
-                                                                let _e1564 = select(_e1444, _e1562, (_e1562 < _e1444));
-                                                                let _e1566 = select(_e1436, _e1564, (_e1564 > _e1436));
-                                                                if (_e1566 >= _e543) {
-                                                                    let _e1568 = (_e1566 <= _e1115.member_1);
-                                                                    if _e1568 {
-                                                                        let _e1569 = (1f / _e1387);
-                                                                        phi_2008_ = type_21(_e1566, (_e1381 * _e1569), (_e1385 * _e1569), _e1175);
+                                                                let _e1767 = phi_2317_;
+                                                                let _e1784 = ((((_e1749 * (_e1767.x - _e392)) + (_e1754 * (_e1767.y - _e429))) + (_e1757 * (_e1767.z - _e465))) / (((_e1749 * _e417) + (_e1754 * _e453)) + (_e1757 * _e489)));
+                                                                let _e1786 = select(_e1666, _e1784, (_e1784 < _e1666));
+                                                                let _e1788 = select(_e1658, _e1786, (_e1786 > _e1658));
+                                                                if (_e1788 >= _e538) {
+                                                                    let _e1790 = (_e1788 <= _e1108.member_1);
+                                                                    if _e1790 {
+                                                                        let _e1791 = (1f / _e1609);
+                                                                        phi_2357_ = type_21(_e1788, (_e1603 * _e1791), (_e1607 * _e1791), _e1168);
                                                                     } else {
-                                                                        phi_2008_ = type_21();
+                                                                        phi_2357_ = type_21();
                                                                     }
-                                                                    let _e1574 = phi_2008_;
-                                                                    phi_2010_ = _e1574;
-                                                                    phi_2011_ = select(true, false, _e1568);
+                                                                    let _e1796 = phi_2357_;
+                                                                    phi_2359_ = _e1796;
+                                                                    phi_2360_ = select(true, false, _e1790);
                                                                 } else {
-                                                                    phi_2010_ = type_21();
-                                                                    phi_2011_ = true;
+                                                                    phi_2359_ = type_21();
+                                                                    phi_2360_ = true;
                                                                 }
-                                                                let _e1577 = phi_2010_;
-                                                                let _e1579 = phi_2011_;
-                                                                if _e1579 {
-                                                                    phi_2015_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                let _e1799 = phi_2359_;
+                                                                let _e1801 = phi_2360_;
+                                                                if _e1801 {
+                                                                    phi_2364_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                 } else {
-                                                                    phi_2015_ = _e1577;
+                                                                    phi_2364_ = _e1799;
                                                                 }
-                                                                let _e1581 = phi_2015_;
-                                                                phi_2016_ = _e1581;
+                                                                let _e1803 = phi_2364_;
+                                                                phi_2365_ = _e1803;
                                                             }
-                                                            let _e1583 = phi_2016_;
-                                                            phi_2017_ = _e1583;
-                                                            phi_2018_ = _e1453;
+                                                            let _e1805 = phi_2365_;
+                                                            phi_2366_ = _e1805;
+                                                            phi_2367_ = _e1675;
                                                         }
-                                                        let _e1585 = phi_2017_;
-                                                        let _e1587 = phi_2018_;
-                                                        phi_2022_ = _e1585;
-                                                        phi_2023_ = _e1587;
+                                                        let _e1807 = phi_2366_;
+                                                        let _e1809 = phi_2367_;
+                                                        phi_2371_ = _e1807;
+                                                        phi_2372_ = _e1809;
                                                     }
-                                                    let _e1589 = phi_2022_;
-                                                    let _e1591 = phi_2023_;
-                                                    phi_2027_ = _e1589;
-                                                    phi_2028_ = _e1591;
+                                                    let _e1811 = phi_2371_;
+                                                    let _e1813 = phi_2372_;
+                                                    phi_2376_ = _e1811;
+                                                    phi_2377_ = _e1813;
                                                 } else {
-                                                    phi_2027_ = type_21();
-                                                    phi_2028_ = true;
+                                                    phi_2376_ = type_21();
+                                                    phi_2377_ = true;
                                                 }
-                                                let _e1593 = phi_2027_;
-                                                let _e1595 = phi_2028_;
-                                                if _e1595 {
-                                                    phi_2032_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1815 = phi_2376_;
+                                                let _e1817 = phi_2377_;
+                                                if _e1817 {
+                                                    phi_2381_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2032_ = _e1593;
+                                                    phi_2381_ = _e1815;
                                                 }
-                                                let _e1597 = phi_2032_;
-                                                if (_e1597.member_3 != 4294967295u) {
-                                                    if (_e1175 == _e171) {
-                                                        phi_2361_ = false;
+                                                let _e1819 = phi_2381_;
+                                                if (_e1819.member_3 != 4294967295u) {
+                                                    if (_e1168 == _e166) {
+                                                        phi_2710_ = false;
                                                     } else {
-                                                        let _e1601 = (_e1175 < arrayLength((&global_4.member)));
-                                                        if _e1601 {
-                                                            if _e1601 {
+                                                        let _e1823 = (_e1168 < arrayLength((&global_4.member)));
+                                                        if _e1823 {
+                                                            if _e1823 {
                                                             } else {
-                                                                phi_4056_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1603 = global_4.member[_e1175];
-                                                            phi_2055_ = _e1603;
+                                                            let _e1825 = global_4.member[_e1168];
+                                                            phi_2404_ = _e1825;
                                                         } else {
-                                                            phi_2055_ = 4294967295u;
+                                                            phi_2404_ = 4294967295u;
                                                         }
-                                                        let _e1605 = phi_2055_;
-                                                        let _e1606 = (_e1605 < arrayLength((&global_5.member)));
-                                                        if _e1606 {
-                                                            if _e1606 {
+                                                        let _e1827 = phi_2404_;
+                                                        let _e1828 = (_e1827 < arrayLength((&global_5.member)));
+                                                        if _e1828 {
+                                                            if _e1828 {
                                                             } else {
-                                                                phi_4056_ = true;
+                                                                phi_4317_ = true;
                                                                 break;
                                                             }
-                                                            let _e1608 = global_5.member[_e1605];
-                                                            phi_2069_ = _e1608;
+                                                            let _e1830 = global_5.member[_e1827];
+                                                            phi_2418_ = _e1830;
                                                         } else {
-                                                            phi_2069_ = 0i;
+                                                            phi_2418_ = 0i;
                                                         }
-                                                        let _e1610 = phi_2069_;
-                                                        let _e1611 = (_e1610 == 0i);
-                                                        if _e1611 {
-                                                            phi_2360_ = true;
+                                                        let _e1832 = phi_2418_;
+                                                        let _e1833 = (_e1832 == 0i);
+                                                        if _e1833 {
+                                                            phi_2709_ = true;
                                                         } else {
-                                                            if _e389 {
-                                                                phi_2090_ = vec3<f32>(_e1315[0][0], _e1315[0][1], _e1315[0][2]);
+                                                            if _e384 {
+                                                                phi_2439_ = vec3<f32>(_e1537[0][0], _e1537[0][1], _e1537[0][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2089_ = vec3<f32>(_e1315[0][2], _e1315[0][0], _e1315[0][1]);
+                                                                if (_e360 == 1u) {
+                                                                    phi_2438_ = vec3<f32>(_e1537[0][2], _e1537[0][0], _e1537[0][1]);
                                                                 } else {
-                                                                    phi_2089_ = vec3<f32>(_e1315[0][1], _e1315[0][2], _e1315[0][0]);
+                                                                    phi_2438_ = vec3<f32>(_e1537[0][1], _e1537[0][2], _e1537[0][0]);
                                                                 }
-                                                                let _e1616 = phi_2089_;
-                                                                phi_2090_ = _e1616;
+                                                                let _e1838 = phi_2438_;
+                                                                phi_2439_ = _e1838;
                                                             }
-                                                            let _e1619 = phi_2090_;
-                                                            if _e389 {
-                                                                phi_2107_ = vec3<f32>(_e1315[1][0], _e1315[1][1], _e1315[1][2]);
+                                                            let _e1841 = phi_2439_;
+                                                            if _e384 {
+                                                                phi_2456_ = vec3<f32>(_e1537[1][0], _e1537[1][1], _e1537[1][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2106_ = vec3<f32>(_e1315[1][2], _e1315[1][0], _e1315[1][1]);
+                                                                if (_e360 == 1u) {
+                                                                    phi_2455_ = vec3<f32>(_e1537[1][2], _e1537[1][0], _e1537[1][1]);
                                                                 } else {
-                                                                    phi_2106_ = vec3<f32>(_e1315[1][1], _e1315[1][2], _e1315[1][0]);
+                                                                    phi_2455_ = vec3<f32>(_e1537[1][1], _e1537[1][2], _e1537[1][0]);
                                                                 }
-                                                                let _e1624 = phi_2106_;
-                                                                phi_2107_ = _e1624;
+                                                                let _e1846 = phi_2455_;
+                                                                phi_2456_ = _e1846;
                                                             }
-                                                            let _e1627 = phi_2107_;
-                                                            if _e389 {
-                                                                phi_2124_ = vec3<f32>(_e1315[2][0], _e1315[2][1], _e1315[2][2]);
+                                                            let _e1849 = phi_2456_;
+                                                            if _e384 {
+                                                                phi_2473_ = vec3<f32>(_e1537[2][0], _e1537[2][1], _e1537[2][2]);
                                                             } else {
-                                                                if (_e365 == 1u) {
-                                                                    phi_2123_ = vec3<f32>(_e1315[2][2], _e1315[2][0], _e1315[2][1]);
+                                                                if (_e360 == 1u) {
+                                                                    phi_2472_ = vec3<f32>(_e1537[2][2], _e1537[2][0], _e1537[2][1]);
                                                                 } else {
-                                                                    phi_2123_ = vec3<f32>(_e1315[2][1], _e1315[2][2], _e1315[2][0]);
+                                                                    phi_2472_ = vec3<f32>(_e1537[2][1], _e1537[2][2], _e1537[2][0]);
                                                                 }
-                                                                let _e1632 = phi_2123_;
-                                                                phi_2124_ = _e1632;
+                                                                let _e1854 = phi_2472_;
+                                                                phi_2473_ = _e1854;
                                                             }
-                                                            let _e1635 = phi_2124_;
-                                                            let _e1638 = (_e1627.x - _e1619.x);
-                                                            let _e1641 = (_e1627.y - _e1619.y);
-                                                            let _e1644 = (_e1627.z - _e1619.z);
-                                                            let _e1646 = (_e1635.x - _e1619.x);
-                                                            let _e1648 = (_e1635.y - _e1619.y);
-                                                            let _e1650 = (_e1635.z - _e1619.z);
-                                                            if (_e243.member_1 == 1u) {
-                                                                phi_2160_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1619);
+                                                            let _e1857 = phi_2473_;
+                                                            let _e1860 = (_e1849.x - _e1841.x);
+                                                            let _e1863 = (_e1849.y - _e1841.y);
+                                                            let _e1866 = (_e1849.z - _e1841.z);
+                                                            let _e1868 = (_e1857.x - _e1841.x);
+                                                            let _e1870 = (_e1857.y - _e1841.y);
+                                                            let _e1872 = (_e1857.z - _e1841.z);
+                                                            if (_e238.member_1 == 1u) {
+                                                                phi_2509_ = (vec3<f32>(_e238.member[0], _e238.member[1], _e238.member[2]) - _e1841);
                                                             } else {
-                                                                phi_2160_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                phi_2509_ = vec3<f32>(_e238.member[0], _e238.member[1], _e238.member[2]);
                                                             }
-                                                            let _e1665 = phi_2160_;
-                                                            let _e1671 = bitcast<f32>((bitcast<u32>((_e1638 * _e1648)) ^ _e243.member_3[0]));
-                                                            let _e1675 = bitcast<f32>((bitcast<u32>((_e1641 * _e1646)) ^ _e243.member_3[0]));
-                                                            let _e1679 = bitcast<f32>((bitcast<u32>((_e1641 * _e1650)) ^ _e243.member_3[0]));
-                                                            let _e1683 = bitcast<f32>((bitcast<u32>((_e1644 * _e1648)) ^ _e243.member_3[0]));
-                                                            let _e1687 = bitcast<f32>((bitcast<u32>((_e1644 * _e1646)) ^ _e243.member_3[0]));
-                                                            let _e1691 = bitcast<f32>((bitcast<u32>((_e1638 * _e1650)) ^ _e243.member_3[0]));
-                                                            let _e1692 = (_e1679 - _e1683);
-                                                            let _e1693 = (_e1687 - _e1691);
-                                                            let _e1694 = (_e1671 - _e1675);
-                                                            let _e1718 = (bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u)));
-                                                            let _e1725 = (bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u)));
-                                                            let _e1732 = (bitcast<f32>((bitcast<u32>(_e1671) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u)));
-                                                            if (_e243.member_2 == 0f) {
-                                                                phi_2342_ = 0f;
+                                                            let _e1887 = phi_2509_;
+                                                            let _e1893 = bitcast<f32>((bitcast<u32>((_e1860 * _e1870)) ^ _e238.member_3[0]));
+                                                            let _e1897 = bitcast<f32>((bitcast<u32>((_e1863 * _e1868)) ^ _e238.member_3[0]));
+                                                            let _e1901 = bitcast<f32>((bitcast<u32>((_e1863 * _e1872)) ^ _e238.member_3[0]));
+                                                            let _e1905 = bitcast<f32>((bitcast<u32>((_e1866 * _e1870)) ^ _e238.member_3[0]));
+                                                            let _e1909 = bitcast<f32>((bitcast<u32>((_e1866 * _e1868)) ^ _e238.member_3[0]));
+                                                            let _e1913 = bitcast<f32>((bitcast<u32>((_e1860 * _e1872)) ^ _e238.member_3[0]));
+                                                            let _e1914 = (_e1901 - _e1905);
+                                                            let _e1915 = (_e1909 - _e1913);
+                                                            let _e1916 = (_e1893 - _e1897);
+                                                            let _e1940 = (bitcast<f32>((bitcast<u32>(_e1901) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1905) & 2147483647u)));
+                                                            let _e1947 = (bitcast<f32>((bitcast<u32>(_e1909) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1913) & 2147483647u)));
+                                                            let _e1954 = (bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1897) & 2147483647u)));
+                                                            if (_e238.member_2 == 0f) {
+                                                                phi_2691_ = 0f;
                                                             } else {
-                                                                let _e1762 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
-                                                                let _e1765 = bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u));
-                                                                let _e1768 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
-                                                                let _e1770 = select(_e1768, _e1765, (_e1765 > _e1768));
-                                                                let _e1774 = select(_e1768, _e1765, (_e1765 < _e1768));
-                                                                let _e1778 = select(_e1765, _e1762, (_e1762 < _e1765));
-                                                                let _e1780 = select(_e1765, _e1762, (_e1762 > _e1765));
-                                                                let _e1782 = select(_e1768, _e1780, (_e1780 < _e1768));
-                                                                phi_2342_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1770, _e1762, (_e1762 > _e1770)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1782, _e1778, (_e1778 > _e1782)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1774, _e1762, (_e1762 < _e1774)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1718 + _e1725) + _e1732))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                let _e1984 = bitcast<f32>((bitcast<u32>(_e1914) & 2147483647u));
+                                                                let _e1987 = bitcast<f32>((bitcast<u32>(_e1915) & 2147483647u));
+                                                                let _e1990 = bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u));
+                                                                let _e1992 = select(_e1990, _e1987, (_e1987 > _e1990));
+                                                                let _e1996 = select(_e1990, _e1987, (_e1987 < _e1990));
+                                                                let _e2000 = select(_e1987, _e1984, (_e1984 < _e1987));
+                                                                let _e2002 = select(_e1987, _e1984, (_e1984 > _e1987));
+                                                                let _e2004 = select(_e1990, _e2002, (_e2002 < _e1990));
+                                                                phi_2691_ = bitcast<f32>((bitcast<u32>((_e238.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1992, _e1984, (_e1984 > _e1992)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2004, _e2000, (_e2000 > _e2004)))) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1996, _e1984, (_e1984 < _e1996)))) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1940 + _e1947) + _e1954))) ^ _e238.member_3[0]))) * 1.0000005f)) ^ _e238.member_3[0])))) ^ _e238.member_3[0]));
                                                             }
-                                                            let _e1809 = phi_2342_;
-                                                            phi_2360_ = (_e1611 || !(((((bitcast<f32>((bitcast<u32>((_e1665.x * _e1692)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1665.y * _e1693)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1665.z * _e1694)) ^ _e243.member_3[0]))) * f32(-(_e1610))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.x) & 2147483647u)) * _e1718)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.y) & 2147483647u)) * _e1725)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1665.z) & 2147483647u)) * _e1732)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1809) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2031 = phi_2691_;
+                                                            phi_2709_ = (_e1833 || !(((((bitcast<f32>((bitcast<u32>((_e1887.x * _e1914)) ^ _e238.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1887.y * _e1915)) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1887.z * _e1916)) ^ _e238.member_3[0]))) * f32(-(_e1832))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1887.x) & 2147483647u)) * _e1940)) ^ _e238.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1887.y) & 2147483647u)) * _e1947)) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1887.z) & 2147483647u)) * _e1954)) ^ _e238.member_3[0]))))) ^ _e238.member_3[0])) + _e2031) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1823 = phi_2360_;
-                                                        phi_2361_ = _e1823;
+                                                        let _e2045 = phi_2709_;
+                                                        phi_2710_ = _e2045;
                                                     }
-                                                    let _e1825 = phi_2361_;
-                                                    if _e1825 {
-                                                        if (_e1597.member < _e1115.member.member) {
-                                                            phi_2381_ = true;
+                                                    let _e2047 = phi_2710_;
+                                                    if _e2047 {
+                                                        if (_e1819.member < _e1108.member.member) {
+                                                            phi_2730_ = true;
                                                         } else {
-                                                            if (_e1597.member == _e1115.member.member) {
-                                                                phi_2380_ = (_e1597.member_3 < _e1115.member.member_3);
+                                                            if (_e1819.member == _e1108.member.member) {
+                                                                phi_2729_ = (_e1819.member_3 < _e1108.member.member_3);
                                                             } else {
-                                                                phi_2380_ = false;
+                                                                phi_2729_ = false;
                                                             }
-                                                            let _e1835 = phi_2380_;
-                                                            phi_2381_ = _e1835;
+                                                            let _e2057 = phi_2729_;
+                                                            phi_2730_ = _e2057;
                                                         }
-                                                        let _e1837 = phi_2381_;
-                                                        if _e1837 {
-                                                            phi_2387_ = type_39(_e1597, _e1597.member);
+                                                        let _e2059 = phi_2730_;
+                                                        if _e2059 {
+                                                            phi_2736_ = type_38(_e1819, _e1819.member);
                                                         } else {
-                                                            phi_2387_ = _e1115;
+                                                            phi_2736_ = _e1108;
                                                         }
-                                                        let _e1840 = phi_2387_;
-                                                        phi_2388_ = _e1840;
+                                                        let _e2062 = phi_2736_;
+                                                        phi_2737_ = _e2062;
                                                     } else {
-                                                        phi_2388_ = _e1115;
+                                                        phi_2737_ = _e1108;
                                                     }
-                                                    let _e1842 = phi_2388_;
-                                                    phi_2389_ = _e1842;
+                                                    let _e2064 = phi_2737_;
+                                                    phi_2738_ = _e2064;
                                                 } else {
-                                                    phi_2389_ = _e1115;
+                                                    phi_2738_ = _e1108;
                                                 }
-                                                let _e1844 = phi_2389_;
-                                                phi_4057_ = _e1314;
-                                                phi_1101_ = _e1844;
+                                                let _e2066 = phi_2738_;
+                                                phi_1087_ = _e2066;
                                             } else {
-                                                phi_4057_ = _e1113;
-                                                phi_1101_ = type_39();
+                                                phi_1087_ = type_38();
                                             }
-                                            let _e1846 = phi_4057_;
-                                            let _e1848 = phi_1101_;
+                                            let _e2068 = phi_1087_;
                                             continue;
                                             continuing {
-                                                phi_3994_ = _e1846;
-                                                phi_1100_ = _e1848;
-                                                phi_1103_ = _e1130;
-                                                phi_4056_ = _e1846;
-                                                break if !(_e1136);
+                                                phi_1086_ = _e2068;
+                                                phi_1089_ = _e1123;
+                                                phi_4317_ = _e580;
+                                                break if !(_e1129);
                                             }
                                         }
-                                        let _e1851 = phi_4056_;
-                                        phi_4135_ = _e1851;
-                                        if _e1851 {
+                                        let _e2071 = phi_4317_;
+                                        phi_4502_ = _e2071;
+                                        if _e2071 {
                                             break;
                                         }
-                                        phi_4139_ = _e1851;
-                                        let _e2091 = local_14;
-                                        phi_3629_ = _e2091;
-                                        phi_3630_ = _e626;
-                                        phi_3631_ = false;
-                                        phi_3632_ = _e630;
+                                        phi_4506_ = _e2071;
+                                        let _e2320 = local_11;
+                                        phi_3978_ = _e2320;
+                                        phi_3979_ = _e621;
+                                        phi_3980_ = false;
+                                        phi_3981_ = _e625;
                                     } else {
-                                        if (_e626.member_1 >= _e103) {
-                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_60(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e621.member_1 >= _e98) {
+                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_33(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e626.member_1 < _e103) {
+                                            if (_e621.member_1 < _e98) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e642 = (_e365 * 2u);
-                                            let _e644 = ((1u + _e642) % 7u);
-                                            if (_e644 < 7u) {
+                                            let _e637 = (_e360 * 2u);
+                                            let _e639 = ((1u + _e637) % 7u);
+                                            if (_e639 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e649 = global_9.member[_e626.member_1][_e644];
-                                            let _e651 = ((_e642 + 2u) % 7u);
-                                            if (_e651 < 7u) {
+                                            let _e644 = global_9.member[_e621.member_1][_e639];
+                                            let _e646 = ((_e637 + 2u) % 7u);
+                                            if (_e646 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e656 = global_9.member[_e626.member_1][_e651];
-                                            let _e657 = (_e364 * 2u);
-                                            let _e659 = ((1u + _e657) % 7u);
-                                            if (_e659 < 7u) {
+                                            let _e651 = global_9.member[_e621.member_1][_e646];
+                                            let _e652 = (_e359 * 2u);
+                                            let _e654 = ((1u + _e652) % 7u);
+                                            if (_e654 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e664 = global_9.member[_e626.member_1][_e659];
-                                            let _e666 = ((_e657 + 2u) % 7u);
-                                            if (_e666 < 7u) {
+                                            let _e659 = global_9.member[_e621.member_1][_e654];
+                                            let _e661 = ((_e652 + 2u) % 7u);
+                                            if (_e661 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e671 = global_9.member[_e626.member_1][_e666];
-                                            let _e672 = (_e366 * 2u);
-                                            let _e674 = ((1u + _e672) % 7u);
-                                            if (_e674 < 7u) {
+                                            let _e666 = global_9.member[_e621.member_1][_e661];
+                                            let _e667 = (_e361 * 2u);
+                                            let _e669 = ((1u + _e667) % 7u);
+                                            if (_e669 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e679 = global_9.member[_e626.member_1][_e674];
-                                            let _e681 = ((_e672 + 2u) % 7u);
-                                            if (_e681 < 7u) {
+                                            let _e674 = global_9.member[_e621.member_1][_e669];
+                                            let _e676 = ((_e667 + 2u) % 7u);
+                                            if (_e676 < 7u) {
                                             } else {
-                                                phi_4135_ = true;
+                                                phi_4502_ = true;
                                                 break;
                                             }
-                                            let _e686 = global_9.member[_e626.member_1][_e681];
-                                            let _e709 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.x - _e626.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e710 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.y - _e626.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e711 = (bitcast<f32>((bitcast<u32>((_e626.member.member_1.z - _e626.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e713 = select(_e162, _e709, (_e709 > _e162));
-                                            let _e715 = select(_e162, _e710, (_e710 > _e162));
-                                            let _e717 = select(_e162, _e711, (_e711 > _e162));
-                                            let _e742 = bitcast<u32>((f32(bitcast<i32>((_e649 & 2097151u))) * _e713));
-                                            let _e747 = (bitcast<i32>((_e649 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e750 = bitcast<f32>((_e742 & bitcast<u32>(_e747)));
-                                            let _e751 = bitcast<u32>((f32(bitcast<i32>((_e664 & 2097151u))) * _e715));
-                                            let _e756 = (bitcast<i32>((_e664 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e759 = bitcast<f32>((_e751 & bitcast<u32>(_e756)));
-                                            let _e760 = bitcast<u32>((f32(bitcast<i32>((_e679 & 2097151u))) * _e717));
-                                            let _e765 = (bitcast<i32>((_e679 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
-                                            let _e772 = bitcast<f32>((_e742 & bitcast<u32>(~(_e747))));
-                                            let _e776 = bitcast<f32>((_e751 & bitcast<u32>(~(_e756))));
-                                            let _e780 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
-                                            let _e781 = bitcast<u32>((f32(bitcast<i32>((_e656 & 2097151u))) * _e713));
-                                            let _e786 = (bitcast<i32>((_e656 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e789 = bitcast<f32>((_e781 & bitcast<u32>(_e786)));
-                                            let _e790 = bitcast<u32>((f32(bitcast<i32>((_e671 & 2097151u))) * _e715));
-                                            let _e795 = (bitcast<i32>((_e671 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e798 = bitcast<f32>((_e790 & bitcast<u32>(_e795)));
-                                            let _e799 = bitcast<u32>((f32(bitcast<i32>((_e686 & 2097151u))) * _e717));
-                                            let _e804 = (bitcast<i32>((_e686 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e807 = bitcast<f32>((_e799 & bitcast<u32>(_e804)));
-                                            let _e811 = bitcast<f32>((_e781 & bitcast<u32>(~(_e786))));
-                                            let _e815 = bitcast<f32>((_e790 & bitcast<u32>(~(_e795))));
-                                            let _e819 = bitcast<f32>((_e799 & bitcast<u32>(~(_e804))));
-                                            let _e820 = (_e626.member.member.x + _e750);
-                                            let _e821 = (_e626.member.member.y + _e759);
-                                            let _e822 = (_e626.member.member.z + _e768);
-                                            let _e825 = (_e626.member.member_1.x - _e789);
-                                            let _e826 = (_e626.member.member_1.y - _e798);
-                                            let _e827 = (_e626.member.member_1.z - _e807);
-                                            let _e846 = (_e825 - _e820);
-                                            let _e847 = (_e826 - _e821);
-                                            let _e848 = (_e827 - _e822);
-                                            let _e850 = select(_e847, _e846, (_e846 > _e847));
-                                            let _e852 = select(_e848, _e850, (_e850 > _e848));
-                                            if (_e852 < (1024f * _e162)) {
-                                                phi_2886_ = 0u;
+                                            let _e681 = global_9.member[_e621.member_1][_e676];
+                                            let _e704 = (bitcast<f32>((bitcast<u32>((_e621.member.member_1.x - _e621.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e705 = (bitcast<f32>((bitcast<u32>((_e621.member.member_1.y - _e621.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e706 = (bitcast<f32>((bitcast<u32>((_e621.member.member_1.z - _e621.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e708 = select(_e157, _e704, (_e704 > _e157));
+                                            let _e710 = select(_e157, _e705, (_e705 > _e157));
+                                            let _e712 = select(_e157, _e706, (_e706 > _e157));
+                                            let _e737 = bitcast<u32>((f32(bitcast<i32>((_e644 & 2097151u))) * _e708));
+                                            let _e742 = (bitcast<i32>((_e644 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e745 = bitcast<f32>((_e737 & bitcast<u32>(_e742)));
+                                            let _e746 = bitcast<u32>((f32(bitcast<i32>((_e659 & 2097151u))) * _e710));
+                                            let _e751 = (bitcast<i32>((_e659 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e754 = bitcast<f32>((_e746 & bitcast<u32>(_e751)));
+                                            let _e755 = bitcast<u32>((f32(bitcast<i32>((_e674 & 2097151u))) * _e712));
+                                            let _e760 = (bitcast<i32>((_e674 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e763 = bitcast<f32>((_e755 & bitcast<u32>(_e760)));
+                                            let _e767 = bitcast<f32>((_e737 & bitcast<u32>(~(_e742))));
+                                            let _e771 = bitcast<f32>((_e746 & bitcast<u32>(~(_e751))));
+                                            let _e775 = bitcast<f32>((_e755 & bitcast<u32>(~(_e760))));
+                                            let _e776 = bitcast<u32>((f32(bitcast<i32>((_e651 & 2097151u))) * _e708));
+                                            let _e781 = (bitcast<i32>((_e651 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e784 = bitcast<f32>((_e776 & bitcast<u32>(_e781)));
+                                            let _e785 = bitcast<u32>((f32(bitcast<i32>((_e666 & 2097151u))) * _e710));
+                                            let _e790 = (bitcast<i32>((_e666 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e793 = bitcast<f32>((_e785 & bitcast<u32>(_e790)));
+                                            let _e794 = bitcast<u32>((f32(bitcast<i32>((_e681 & 2097151u))) * _e712));
+                                            let _e799 = (bitcast<i32>((_e681 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e802 = bitcast<f32>((_e794 & bitcast<u32>(_e799)));
+                                            let _e806 = bitcast<f32>((_e776 & bitcast<u32>(~(_e781))));
+                                            let _e810 = bitcast<f32>((_e785 & bitcast<u32>(~(_e790))));
+                                            let _e814 = bitcast<f32>((_e794 & bitcast<u32>(~(_e799))));
+                                            let _e815 = (_e621.member.member.x + _e745);
+                                            let _e816 = (_e621.member.member.y + _e754);
+                                            let _e817 = (_e621.member.member.z + _e763);
+                                            let _e820 = (_e621.member.member_1.x - _e784);
+                                            let _e821 = (_e621.member.member_1.y - _e793);
+                                            let _e822 = (_e621.member.member_1.z - _e802);
+                                            let _e841 = (_e820 - _e815);
+                                            let _e842 = (_e821 - _e816);
+                                            let _e843 = (_e822 - _e817);
+                                            let _e845 = select(_e842, _e841, (_e841 > _e842));
+                                            let _e847 = select(_e843, _e845, (_e845 > _e843));
+                                            if (_e847 < (1024f * _e157)) {
+                                                phi_3235_ = 0u;
                                             } else {
-                                                phi_2886_ = select(2u, 1u, (_e852 < (2097152f * _e162)));
+                                                phi_3235_ = select(2u, 1u, (_e847 < (2097152f * _e157)));
                                             }
-                                            let _e859 = phi_2886_;
-                                            switch bitcast<i32>(_e859) {
+                                            let _e854 = phi_3235_;
+                                            switch bitcast<i32>(_e854) {
                                                 case 0: {
-                                                    phi_2892_ = 1u;
+                                                    phi_3241_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2892_ = 2u;
+                                                    phi_3241_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2892_ = 3u;
+                                                    phi_3241_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2892_ = u32();
+                                                    phi_3241_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e862 = phi_2892_;
-                                            let _e868 = global_9.member[_e626.member_1][0u];
-                                            let _e872 = global_9.member[_e626.member_1][2u];
-                                            let _e876 = global_9.member[_e626.member_1][4u];
-                                            let _e880 = global_9.member[_e626.member_1][6u];
-                                            let _e892 = (((_e872 >> bitcast<u32>(22i)) | ((_e876 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e880 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e893 = (_e868 & 268435455u);
-                                            let _e894 = (_e892 & 268435455u);
-                                            let _e897 = ((_e868 >> bitcast<u32>(28u)) & 7u);
-                                            let _e905 = ((_e868 >> bitcast<u32>(31i)) | (((_e892 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e906 = (_e897 != 0u);
-                                            if (_e897 == 0u) {
-                                                phi_3147_ = _e893;
+                                            let _e857 = phi_3241_;
+                                            let _e863 = global_9.member[_e621.member_1][0u];
+                                            let _e867 = global_9.member[_e621.member_1][2u];
+                                            let _e871 = global_9.member[_e621.member_1][4u];
+                                            let _e875 = global_9.member[_e621.member_1][6u];
+                                            let _e887 = (((_e867 >> bitcast<u32>(22i)) | ((_e871 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e875 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e888 = (_e863 & 268435455u);
+                                            let _e889 = (_e887 & 268435455u);
+                                            let _e892 = ((_e863 >> bitcast<u32>(28u)) & 7u);
+                                            let _e900 = ((_e863 >> bitcast<u32>(31i)) | (((_e887 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e901 = (_e892 != 0u);
+                                            if (_e892 == 0u) {
+                                                phi_3496_ = _e888;
                                             } else {
-                                                if (_e897 == 7u) {
-                                                    phi_3146_ = 2147483648u;
+                                                if (_e892 == 7u) {
+                                                    phi_3495_ = 2147483648u;
                                                 } else {
-                                                    phi_3146_ = ((2147483648u | (_e897 << bitcast<u32>(28u))) | (_e894 & 268435455u));
+                                                    phi_3495_ = ((2147483648u | (_e892 << bitcast<u32>(28u))) | (_e889 & 268435455u));
                                                 }
-                                                let _e915 = phi_3146_;
-                                                phi_3147_ = _e915;
+                                                let _e910 = phi_3495_;
+                                                phi_3496_ = _e910;
                                             }
-                                            let _e917 = phi_3147_;
-                                            if _e906 {
-                                                let _e918 = (_e897 != 7u);
-                                                if _e918 {
-                                                    phi_3157_ = (_e894 + (_e897 * ((3u * _e862) + 1u)));
+                                            let _e912 = phi_3496_;
+                                            if _e901 {
+                                                let _e913 = (_e892 != 7u);
+                                                if _e913 {
+                                                    phi_3506_ = (_e889 + (_e892 * ((3u * _e857) + 1u)));
                                                 } else {
-                                                    phi_3157_ = u32();
+                                                    phi_3506_ = u32();
                                                 }
-                                                let _e922 = phi_3157_;
-                                                phi_3159_ = _e922;
-                                                phi_3160_ = select(true, false, _e918);
+                                                let _e917 = phi_3506_;
+                                                phi_3508_ = _e917;
+                                                phi_3509_ = select(true, false, _e913);
                                             } else {
-                                                phi_3159_ = u32();
-                                                phi_3160_ = true;
+                                                phi_3508_ = u32();
+                                                phi_3509_ = true;
                                             }
-                                            let _e925 = phi_3159_;
-                                            let _e927 = phi_3160_;
-                                            if (_e905 == 0u) {
-                                                phi_3181_ = (_e893 + select(0u, 1u, !(_e906)));
+                                            let _e920 = phi_3508_;
+                                            let _e922 = phi_3509_;
+                                            if (_e900 == 0u) {
+                                                phi_3530_ = (_e888 + select(0u, 1u, !(_e901)));
                                             } else {
-                                                if (_e905 == 7u) {
-                                                    phi_3180_ = 2147483648u;
+                                                if (_e900 == 7u) {
+                                                    phi_3529_ = 2147483648u;
                                                 } else {
-                                                    phi_3180_ = ((2147483648u | (_e905 << bitcast<u32>(28u))) | (select(_e925, _e894, _e927) & 268435455u));
+                                                    phi_3529_ = ((2147483648u | (_e900 << bitcast<u32>(28u))) | (select(_e920, _e889, _e922) & 268435455u));
                                                 }
-                                                let _e940 = phi_3180_;
-                                                phi_3181_ = _e940;
+                                                let _e935 = phi_3529_;
+                                                phi_3530_ = _e935;
                                             }
-                                            let _e942 = phi_3181_;
-                                            phi_3185_ = type_61(array<vec4<f32>, 3>(vec4<f32>(_e820, (_e626.member.member.x + _e772), _e825, (_e626.member.member_1.x - _e811)), vec4<f32>(_e821, (_e626.member.member.y + _e776), _e826, (_e626.member.member_1.y - _e815)), vec4<f32>(_e822, (_e626.member.member.z + _e780), _e827, (_e626.member.member_1.z - _e819))), type_60(type_33((_e626.member.member + vec4<f32>(_e750, _e759, _e768, 0f)), (_e626.member.member_1 - vec4<f32>(_e789, _e798, _e807, 0f))), _e917), type_60(type_33((_e626.member.member + vec4<f32>(_e772, _e776, _e780, 0f)), (_e626.member.member_1 - vec4<f32>(_e811, _e815, _e819, 0f))), _e942));
+                                            let _e937 = phi_3530_;
+                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e815, (_e621.member.member.x + _e767), _e820, (_e621.member.member_1.x - _e806)), vec4<f32>(_e816, (_e621.member.member.y + _e771), _e821, (_e621.member.member_1.y - _e810)), vec4<f32>(_e817, (_e621.member.member.z + _e775), _e822, (_e621.member.member_1.z - _e814))), type_57(type_33((_e621.member.member + vec4<f32>(_e745, _e754, _e763, 0f)), (_e621.member.member_1 - vec4<f32>(_e784, _e793, _e802, 0f))), _e912), type_57(type_33((_e621.member.member + vec4<f32>(_e767, _e771, _e775, 0f)), (_e621.member.member_1 - vec4<f32>(_e806, _e810, _e814, 0f))), _e937));
                                         }
-                                        let _e947 = phi_3185_;
-                                        let _e959 = ((_e947.member[0].x - _e420) * _e425);
-                                        let _e960 = ((_e947.member[0].y - _e420) * _e425);
-                                        let _e961 = ((_e947.member[0].z - _e421) * _e425);
-                                        let _e962 = ((_e947.member[0].w - _e421) * _e425);
-                                        let _e972 = ((_e947.member[1].x - _e456) * _e461);
-                                        let _e973 = ((_e947.member[1].y - _e456) * _e461);
-                                        let _e974 = ((_e947.member[1].z - _e457) * _e461);
-                                        let _e975 = ((_e947.member[1].w - _e457) * _e461);
-                                        let _e985 = ((_e947.member[2].x - _e492) * _e497);
-                                        let _e986 = ((_e947.member[2].y - _e492) * _e497);
-                                        let _e987 = ((_e947.member[2].z - _e493) * _e497);
-                                        let _e988 = ((_e947.member[2].w - _e493) * _e497);
-                                        let _e990 = select(_e987, _e985, (_e985 < _e987));
-                                        let _e992 = select(_e988, _e986, (_e986 < _e988));
-                                        let _e994 = select(_e987, _e985, (_e985 > _e987));
-                                        let _e996 = select(_e988, _e986, (_e986 > _e988));
-                                        let _e998 = select(_e961, _e959, (_e959 < _e961));
-                                        let _e1000 = select(_e962, _e960, (_e960 < _e962));
-                                        let _e1002 = select(_e974, _e972, (_e972 < _e974));
-                                        let _e1004 = select(_e975, _e973, (_e973 < _e975));
-                                        let _e1006 = select(_e1002, _e998, (_e998 > _e1002));
-                                        let _e1008 = select(_e1004, _e1000, (_e1000 > _e1004));
-                                        let _e1010 = select(_e990, _e1006, (_e1006 > _e990));
-                                        let _e1012 = select(_e992, _e1008, (_e1008 > _e992));
-                                        let _e1014 = select(_e961, _e959, (_e959 > _e961));
-                                        let _e1016 = select(_e962, _e960, (_e960 > _e962));
-                                        let _e1018 = select(_e974, _e972, (_e972 > _e974));
-                                        let _e1020 = select(_e975, _e973, (_e973 > _e975));
-                                        let _e1022 = select(_e1018, _e1014, (_e1014 < _e1018));
-                                        let _e1024 = select(_e1020, _e1016, (_e1016 < _e1020));
-                                        let _e1029 = -(_e990);
-                                        let _e1030 = -(_e992);
-                                        let _e1037 = (select(_e994, _e1022, (_e1022 < _e994)) + (select(_e1029, _e994, (_e994 > _e1029)) * 0.0000019073523f));
-                                        let _e1038 = (select(_e996, _e1024, (_e1024 < _e996)) + (select(_e1030, _e996, (_e996 > _e1030)) * 0.0000019073523f));
-                                        let _e1040 = select(_e543, _e1010, (_e1010 > _e543));
-                                        let _e1042 = select(_e543, _e1012, (_e1012 > _e543));
-                                        let _e1047 = (_e1040 <= select(_e587.member_1, _e1037, (_e1037 < _e587.member_1)));
-                                        let _e1048 = (_e1042 <= select(_e587.member_1, _e1038, (_e1038 < _e587.member_1)));
-                                        let _e1049 = (_e1040 <= _e1042);
-                                        if _e1047 {
-                                            if _e1048 {
-                                                if _e1049 {
-                                                    phi_3529_ = _e947.member_2;
+                                        let _e942 = phi_3534_;
+                                        let _e954 = ((_e942.member[0].x - _e415) * _e420);
+                                        let _e955 = ((_e942.member[0].y - _e415) * _e420);
+                                        let _e956 = ((_e942.member[0].z - _e416) * _e420);
+                                        let _e957 = ((_e942.member[0].w - _e416) * _e420);
+                                        let _e967 = ((_e942.member[1].x - _e451) * _e456);
+                                        let _e968 = ((_e942.member[1].y - _e451) * _e456);
+                                        let _e969 = ((_e942.member[1].z - _e452) * _e456);
+                                        let _e970 = ((_e942.member[1].w - _e452) * _e456);
+                                        let _e980 = ((_e942.member[2].x - _e487) * _e492);
+                                        let _e981 = ((_e942.member[2].y - _e487) * _e492);
+                                        let _e982 = ((_e942.member[2].z - _e488) * _e492);
+                                        let _e983 = ((_e942.member[2].w - _e488) * _e492);
+                                        let _e985 = select(_e982, _e980, (_e980 < _e982));
+                                        let _e987 = select(_e983, _e981, (_e981 < _e983));
+                                        let _e989 = select(_e982, _e980, (_e980 > _e982));
+                                        let _e991 = select(_e983, _e981, (_e981 > _e983));
+                                        let _e993 = select(_e956, _e954, (_e954 < _e956));
+                                        let _e995 = select(_e957, _e955, (_e955 < _e957));
+                                        let _e997 = select(_e969, _e967, (_e967 < _e969));
+                                        let _e999 = select(_e970, _e968, (_e968 < _e970));
+                                        let _e1001 = select(_e997, _e993, (_e993 > _e997));
+                                        let _e1003 = select(_e999, _e995, (_e995 > _e999));
+                                        let _e1005 = select(_e985, _e1001, (_e1001 > _e985));
+                                        let _e1007 = select(_e987, _e1003, (_e1003 > _e987));
+                                        let _e1009 = select(_e956, _e954, (_e954 > _e956));
+                                        let _e1011 = select(_e957, _e955, (_e955 > _e957));
+                                        let _e1013 = select(_e969, _e967, (_e967 > _e969));
+                                        let _e1015 = select(_e970, _e968, (_e968 > _e970));
+                                        let _e1017 = select(_e1013, _e1009, (_e1009 < _e1013));
+                                        let _e1019 = select(_e1015, _e1011, (_e1011 < _e1015));
+                                        let _e1024 = -(_e985);
+                                        let _e1025 = -(_e987);
+                                        let _e1032 = (select(_e989, _e1017, (_e1017 < _e989)) + (select(_e1024, _e989, (_e989 > _e1024)) * 0.0000019073523f));
+                                        let _e1033 = (select(_e991, _e1019, (_e1019 < _e991)) + (select(_e1025, _e991, (_e991 > _e1025)) * 0.0000019073523f));
+                                        let _e1035 = select(_e538, _e1005, (_e1005 > _e538));
+                                        let _e1037 = select(_e538, _e1007, (_e1007 > _e538));
+                                        let _e1042 = (_e1035 <= select(_e582.member_1, _e1032, (_e1032 < _e582.member_1)));
+                                        let _e1043 = (_e1037 <= select(_e582.member_1, _e1033, (_e1033 < _e582.member_1)));
+                                        let _e1044 = (_e1035 <= _e1037);
+                                        if _e1042 {
+                                            if _e1043 {
+                                                if _e1044 {
+                                                    phi_3878_ = _e942.member_2;
                                                 } else {
-                                                    phi_3529_ = _e947.member_1;
+                                                    phi_3878_ = _e942.member_1;
                                                 }
-                                                let _e1053 = phi_3529_;
-                                                let _e1075 = (_e630 % 128u);
-                                                let _e1076 = (_e1075 < 128u);
-                                                if _e1076 {
+                                                let _e1048 = phi_3878_;
+                                                let _e1070 = (_e625 % 128u);
+                                                let _e1071 = (_e1070 < 128u);
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1075] = _e1053.member_1;
-                                                if _e1076 {
+                                                local_8[_e1070] = _e1048.member_1;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1075] = _e1053.member.member.x;
-                                                if _e1076 {
+                                                local_7[_e1070] = _e1048.member.member.x;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1075] = _e1053.member.member.y;
-                                                if _e1076 {
+                                                local_6[_e1070] = _e1048.member.member.y;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1075] = _e1053.member.member.z;
-                                                if _e1076 {
+                                                local_5[_e1070] = _e1048.member.member.z;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1075] = _e1053.member.member_1.x;
-                                                if _e1076 {
+                                                local_4[_e1070] = _e1048.member.member_1.x;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1075] = _e1053.member.member_1.y;
-                                                if _e1076 {
+                                                local_3[_e1070] = _e1048.member.member_1.y;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1075] = _e1053.member.member_1.z;
-                                                if _e1076 {
+                                                local_2[_e1070] = _e1048.member.member_1.z;
+                                                if _e1071 {
                                                 } else {
-                                                    phi_4135_ = true;
+                                                    phi_4502_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1075] = select(_e1042, _e1040, (_e1040 > _e1042));
-                                                if _e1049 {
-                                                    phi_3606_ = _e947.member_1;
+                                                local_9[_e1070] = select(_e1037, _e1035, (_e1035 > _e1037));
+                                                if _e1044 {
+                                                    phi_3955_ = _e942.member_1;
                                                 } else {
-                                                    phi_3606_ = _e947.member_2;
+                                                    phi_3955_ = _e942.member_2;
                                                 }
-                                                let _e1089 = phi_3606_;
-                                                phi_3607_ = _e1089;
-                                                phi_3608_ = (_e630 + 1u);
+                                                let _e1084 = phi_3955_;
+                                                phi_3956_ = _e1084;
+                                                phi_3957_ = (_e625 + 1u);
                                             } else {
-                                                phi_3607_ = type_60();
-                                                phi_3608_ = u32();
+                                                phi_3956_ = type_57();
+                                                phi_3957_ = u32();
                                             }
-                                            let _e1091 = phi_3607_;
-                                            let _e1093 = phi_3608_;
-                                            phi_3610_ = _e1091;
-                                            phi_3611_ = _e1093;
-                                            phi_3612_ = select(true, false, _e1048);
+                                            let _e1086 = phi_3956_;
+                                            let _e1088 = phi_3957_;
+                                            phi_3959_ = _e1086;
+                                            phi_3960_ = _e1088;
+                                            phi_3961_ = select(true, false, _e1043);
                                         } else {
-                                            phi_3610_ = type_60();
-                                            phi_3611_ = u32();
-                                            phi_3612_ = true;
+                                            phi_3959_ = type_57();
+                                            phi_3960_ = u32();
+                                            phi_3961_ = true;
                                         }
-                                        let _e1096 = phi_3610_;
-                                        let _e1098 = phi_3611_;
-                                        let _e1100 = phi_3612_;
-                                        if _e1100 {
-                                            if _e1047 {
-                                                phi_3621_ = _e947.member_1;
+                                        let _e1091 = phi_3959_;
+                                        let _e1093 = phi_3960_;
+                                        let _e1095 = phi_3961_;
+                                        if _e1095 {
+                                            if _e1042 {
+                                                phi_3970_ = _e942.member_1;
                                             } else {
-                                                phi_3621_ = _e947.member_2;
+                                                phi_3970_ = _e942.member_2;
                                             }
-                                            let _e1104 = phi_3621_;
-                                            phi_3626_ = _e1104;
-                                            phi_3627_ = select(_e1048, true, _e1047);
+                                            let _e1099 = phi_3970_;
+                                            phi_3975_ = _e1099;
+                                            phi_3976_ = select(_e1043, true, _e1042);
                                         } else {
-                                            phi_3626_ = _e1096;
-                                            phi_3627_ = _e628;
+                                            phi_3975_ = _e1091;
+                                            phi_3976_ = _e623;
                                         }
-                                        let _e1107 = phi_3626_;
-                                        let _e1109 = phi_3627_;
-                                        phi_4139_ = _e585;
-                                        phi_3629_ = _e587;
-                                        phi_3630_ = _e1107;
-                                        phi_3631_ = _e1109;
-                                        phi_3632_ = select(_e1098, _e630, _e1100);
+                                        let _e1102 = phi_3975_;
+                                        let _e1104 = phi_3976_;
+                                        phi_4506_ = _e580;
+                                        phi_3978_ = _e582;
+                                        phi_3979_ = _e1102;
+                                        phi_3980_ = _e1104;
+                                        phi_3981_ = select(_e1093, _e625, _e1095);
                                     }
-                                    let _e1853 = phi_4139_;
-                                    let _e1855 = phi_3629_;
-                                    let _e1857 = phi_3630_;
-                                    let _e1859 = phi_3631_;
-                                    let _e1861 = phi_3632_;
-                                    phi_4138_ = _e1853;
-                                    phi_3633_ = _e1855;
-                                    phi_3634_ = _e1857;
-                                    phi_3635_ = (_e591 - 1u);
-                                    phi_3636_ = _e1859;
-                                    phi_3637_ = _e1861;
+                                    let _e2073 = phi_4506_;
+                                    let _e2075 = phi_3978_;
+                                    let _e2077 = phi_3979_;
+                                    let _e2079 = phi_3980_;
+                                    let _e2081 = phi_3981_;
+                                    phi_4505_ = _e2073;
+                                    phi_3982_ = _e2075;
+                                    phi_3983_ = _e2077;
+                                    phi_3984_ = (_e586 - 1u);
+                                    phi_3985_ = _e2079;
+                                    phi_3986_ = _e2081;
                                 } else {
-                                    phi_4138_ = _e585;
-                                    phi_3633_ = _e587;
-                                    phi_3634_ = _e626;
-                                    phi_3635_ = _e591;
-                                    phi_3636_ = _e628;
-                                    phi_3637_ = _e630;
+                                    phi_4505_ = _e580;
+                                    phi_3982_ = _e582;
+                                    phi_3983_ = _e621;
+                                    phi_3984_ = _e586;
+                                    phi_3985_ = _e623;
+                                    phi_3986_ = _e625;
                                 }
-                                let _e1863 = phi_4138_;
-                                let _e1865 = phi_3633_;
-                                let _e1867 = phi_3634_;
-                                let _e1869 = phi_3635_;
-                                let _e1871 = phi_3636_;
-                                let _e1873 = phi_3637_;
-                                phi_4137_ = _e1863;
-                                phi_3638_ = _e1865;
-                                phi_3639_ = _e1867;
-                                phi_3640_ = _e1869;
-                                phi_3641_ = _e1871;
-                                phi_3642_ = _e1873;
+                                let _e2083 = phi_4505_;
+                                let _e2085 = phi_3982_;
+                                let _e2087 = phi_3983_;
+                                let _e2089 = phi_3984_;
+                                let _e2091 = phi_3985_;
+                                let _e2093 = phi_3986_;
+                                phi_4504_ = _e2083;
+                                phi_3987_ = _e2085;
+                                phi_3988_ = _e2087;
+                                phi_3989_ = _e2089;
+                                phi_3990_ = _e2091;
+                                phi_3991_ = _e2093;
                             } else {
-                                phi_4137_ = _e585;
-                                phi_3638_ = type_39();
-                                phi_3639_ = type_60();
-                                phi_3640_ = u32();
-                                phi_3641_ = bool();
-                                phi_3642_ = u32();
+                                phi_4504_ = _e580;
+                                phi_3987_ = type_38();
+                                phi_3988_ = type_57();
+                                phi_3989_ = u32();
+                                phi_3990_ = bool();
+                                phi_3991_ = u32();
                             }
-                            let _e1875 = phi_4137_;
-                            let _e1877 = phi_3638_;
-                            let _e1879 = phi_3639_;
-                            let _e1881 = phi_3640_;
-                            let _e1883 = phi_3641_;
-                            let _e1885 = phi_3642_;
-                            phi_4136_ = _e1875;
-                            phi_974_ = _e1877;
-                            phi_977_ = _e1879;
-                            phi_979_ = _e1881;
-                            phi_981_ = _e1883;
-                            phi_983_ = _e1885;
-                            phi_3643_ = _e599;
+                            let _e2095 = phi_4504_;
+                            let _e2097 = phi_3987_;
+                            let _e2099 = phi_3988_;
+                            let _e2101 = phi_3989_;
+                            let _e2103 = phi_3990_;
+                            let _e2105 = phi_3991_;
+                            phi_4503_ = _e2095;
+                            phi_960_ = _e2097;
+                            phi_963_ = _e2099;
+                            phi_965_ = _e2101;
+                            phi_967_ = _e2103;
+                            phi_969_ = _e2105;
+                            phi_3992_ = _e594;
                         } else {
-                            phi_4136_ = _e585;
-                            phi_974_ = type_39();
-                            phi_977_ = type_60();
-                            phi_979_ = u32();
-                            phi_981_ = bool();
-                            phi_983_ = u32();
-                            phi_3643_ = false;
+                            phi_4503_ = _e580;
+                            phi_960_ = type_38();
+                            phi_963_ = type_57();
+                            phi_965_ = u32();
+                            phi_967_ = bool();
+                            phi_969_ = u32();
+                            phi_3992_ = false;
                         }
-                        let _e1887 = phi_4136_;
-                        let _e1889 = phi_974_;
-                        let _e1891 = phi_977_;
-                        let _e1893 = phi_979_;
-                        let _e1895 = phi_981_;
-                        let _e1897 = phi_983_;
-                        let _e1899 = phi_3643_;
+                        let _e2107 = phi_4503_;
+                        let _e2109 = phi_960_;
+                        let _e2111 = phi_963_;
+                        let _e2113 = phi_965_;
+                        let _e2115 = phi_967_;
+                        let _e2117 = phi_969_;
+                        let _e2119 = phi_3992_;
                         continue;
                         continuing {
-                            phi_3997_ = _e1887;
-                            phi_973_ = _e1889;
-                            phi_976_ = _e1891;
-                            phi_978_ = _e1893;
-                            phi_980_ = _e1895;
-                            phi_982_ = _e1897;
-                            phi_4135_ = _e1887;
-                            break if !(_e1899);
+                            phi_4323_ = _e2107;
+                            phi_959_ = _e2109;
+                            phi_962_ = _e2111;
+                            phi_964_ = _e2113;
+                            phi_966_ = _e2115;
+                            phi_968_ = _e2117;
+                            phi_4502_ = _e2107;
+                            break if !(_e2119);
                         }
                     }
-                    let _e1902 = phi_4135_;
-                    if _e1902 {
+                    let _e2122 = phi_4502_;
+                    if _e2122 {
                         break;
                     }
-                    let _e1904 = local_13;
-                    if (_e1904.member.member_3 != 4294967295u) {
-                        let _e1909 = (_e367 / 3i);
-                        let _e1916 = bitcast<f32>((bitcast<u32>((_e1909 + 127i)) << bitcast<u32>(23i)));
-                        let _e1924 = (((_e1904.member.member * _e1916) * _e1916) * bitcast<f32>((bitcast<u32>(((_e367 - (2i * _e1909)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1926 = select(340282350000000000000000000000000000000f, _e1924, (_e1924 < 340282350000000000000000000000000000000f));
-                        phi_3695_ = type_21(select(-340282350000000000000000000000000000000f, _e1926, (_e1926 > -340282350000000000000000000000000000000f)), _e1904.member.member_1, _e1904.member.member_2, _e1904.member.member_3);
+                    let _e2124 = local_10;
+                    if (_e2124.member.member_3 != 4294967295u) {
+                        let _e2129 = (_e362 / 3i);
+                        let _e2136 = bitcast<f32>((bitcast<u32>((_e2129 + 127i)) << bitcast<u32>(23i)));
+                        let _e2144 = (((_e2124.member.member * _e2136) * _e2136) * bitcast<f32>((bitcast<u32>(((_e362 - (2i * _e2129)) + 127i)) << bitcast<u32>(23i))));
+                        let _e2146 = select(340282350000000000000000000000000000000f, _e2144, (_e2144 < 340282350000000000000000000000000000000f));
+                        phi_4044_ = type_21(select(-340282350000000000000000000000000000000f, _e2146, (_e2146 > -340282350000000000000000000000000000000f)), _e2124.member.member_1, _e2124.member.member_2, _e2124.member.member_3);
                     } else {
-                        phi_3695_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4044_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1933 = phi_3695_;
-                    if _e244 {
-                    } else {
-                        break;
-                    }
-                    global_7.member[_e150] = _e1933;
-                    if _e165 {
+                    let _e2153 = phi_4044_;
+                    if _e239 {
                     } else {
                         break;
                     }
-                    let _e1937 = select(0u, 1u, (_e311 <= _e321));
-                    if (_e1937 > 0u) {
-                        let _e1939 = (1u < _e118);
-                        if _e1939 {
-                            if (0u < _e118) {
+                    global_7.member[_e145] = _e2153;
+                    if _e160 {
+                    } else {
+                        break;
+                    }
+                    let _e2157 = select(0u, 1u, (_e306 <= _e316));
+                    if (_e2157 > 0u) {
+                        let _e2159 = (1u < _e113);
+                        if _e2159 {
+                            if (0u < _e113) {
                             } else {
                                 break;
                             }
-                            let _e1943 = atomicAdd((&global_8.member[0u]), _e1937);
-                            if ((_e1943 + _e1937) < _e1943) {
-                                if _e1939 {
+                            let _e2163 = atomicAdd((&global_8.member[0u]), _e2157);
+                            if ((_e2163 + _e2157) < _e2163) {
+                                if _e2159 {
                                 } else {
                                     break;
                                 }
-                                let _e1948 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e2168 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1951 = select(0u, 1u, (_e1933.member_3 != 4294967295u));
-                    if (_e1951 > 0u) {
-                        let _e1953 = (3u < _e118);
-                        if _e1953 {
-                            if (2u < _e118) {
+                    let _e2171 = select(0u, 1u, (_e2153.member_3 != 4294967295u));
+                    if (_e2171 > 0u) {
+                        let _e2173 = (3u < _e113);
+                        if _e2173 {
+                            if (2u < _e113) {
                             } else {
                                 break;
                             }
-                            let _e1957 = atomicAdd((&global_8.member[2u]), _e1951);
-                            if ((_e1957 + _e1951) < _e1957) {
-                                if _e1953 {
+                            let _e2177 = atomicAdd((&global_8.member[2u]), _e2171);
+                            if ((_e2177 + _e2171) < _e2177) {
+                                if _e2173 {
                                 } else {
                                     break;
                                 }
-                                let _e1962 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e2182 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

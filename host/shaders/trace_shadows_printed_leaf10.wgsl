@@ -78,26 +78,26 @@ struct type_51 {
     member: array<type_49>,
 }
 
-struct type_55 {
+struct type_54 {
     member: array<f32, 3>,
     member_1: array<f32, 3>,
 }
 
-struct type_57 {
+struct type_56 {
     member: array<u32, 3>,
     member_1: u32,
 }
 
-struct type_59 {
-    member: array<type_57>,
+struct type_58 {
+    member: array<type_56>,
 }
 
-struct type_63 {
-    member: type_55,
+struct type_62 {
+    member: type_54,
     member_1: u32,
 }
 
-struct type_70 {
+struct type_67 {
     member: array<atomic<u32>>,
 }
 
@@ -115,13 +115,13 @@ var<storage> global_5: type_4;
 @group(0) @binding(6) 
 var<storage> global_6: type_45;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_70;
+var<storage, read_write> global_7: type_67;
 @group(0) @binding(7) 
 var<storage> global_8: type_32;
 @group(0) @binding(3) 
 var<storage> global_9: type_51;
 @group(0) @binding(4) 
-var<storage> global_10: type_59;
+var<storage> global_10: type_58;
 
 fn function_() {
     var local: array<f32, 128>;
@@ -131,468 +131,435 @@ fn function_() {
     var local_4: array<f32, 128>;
     var local_5: array<f32, 128>;
     var local_6: array<u32, 128>;
-    var local_7: array<f32, 3>;
+    var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var local_10: array<f32, 3>;
-    var local_11: array<f32, 128>;
-    var local_12: array<f32, 3>;
-    var local_13: array<f32, 3>;
-    var local_14: array<f32, 3>;
-    var local_15: array<f32, 3>;
-    var local_16: array<u32, 3>;
-    var local_17: array<u32, 3>;
-    var local_18: array<u32, 3>;
-    var local_19: array<array<f32, 3>, 3>;
-    var local_20: array<u32, 3>;
-    var local_21: array<f32, 3>;
-    var local_22: array<f32, 3>;
-    var phi_290_: u32;
-    var phi_334_: i32;
-    var phi_358_: type_36;
-    var phi_508_: i32;
-    var phi_509_: i32;
-    var phi_519_: bool;
-    var phi_529_: u32;
-    var phi_530_: u32;
-    var phi_532_: bool;
-    var phi_537_: u32;
-    var phi_570_: i32;
-    var phi_588_: f32;
-    var phi_594_: f32;
-    var phi_605_: f32;
-    var phi_611_: f32;
+    var phi_271_: u32;
+    var phi_315_: i32;
+    var phi_339_: type_36;
+    var phi_489_: i32;
+    var phi_490_: i32;
+    var phi_500_: bool;
+    var phi_510_: u32;
+    var phi_511_: u32;
+    var phi_513_: bool;
+    var phi_518_: u32;
+    var phi_550_: i32;
+    var phi_568_: f32;
+    var phi_574_: f32;
+    var phi_585_: f32;
+    var phi_591_: f32;
+    var phi_614_: f32;
+    var phi_625_: f32;
     var phi_634_: f32;
-    var phi_645_: f32;
-    var phi_654_: f32;
-    var phi_660_: f32;
-    var phi_671_: f32;
-    var phi_677_: f32;
+    var phi_640_: f32;
+    var phi_651_: f32;
+    var phi_657_: f32;
+    var phi_680_: f32;
+    var phi_691_: f32;
     var phi_700_: f32;
-    var phi_711_: f32;
-    var phi_720_: f32;
-    var phi_726_: f32;
-    var phi_737_: f32;
-    var phi_743_: f32;
-    var phi_766_: f32;
-    var phi_777_: f32;
-    var phi_877_: f32;
-    var phi_878_: f32;
-    var phi_3282_: bool;
-    var phi_951_: type_40;
-    var phi_954_: type_63;
-    var phi_956_: u32;
-    var phi_958_: bool;
-    var phi_960_: u32;
-    var phi_971_: bool;
-    var phi_1057_: type_63;
-    var phi_1058_: bool;
-    var phi_1059_: u32;
-    var phi_2277_: type_49;
-    var phi_2286_: type_8;
-    var phi_2287_: type_8;
-    var phi_2310_: type_8;
-    var phi_3275_: bool;
-    var phi_2440_: type_8;
-    var phi_2441_: type_8;
-    var phi_2464_: type_8;
-    var phi_3342_: bool;
-    var phi_3027_: type_63;
-    var phi_3104_: type_63;
-    var phi_3105_: type_63;
-    var phi_3106_: u32;
-    var phi_3108_: type_63;
-    var phi_3109_: u32;
-    var phi_3110_: bool;
-    var phi_3117_: type_63;
-    var phi_3122_: type_63;
-    var phi_3123_: bool;
-    var phi_3359_: bool;
-    var phi_1078_: type_40;
-    var phi_1081_: type_8;
-    var phi_1082_: type_8;
-    var phi_1104_: type_8;
-    var phi_1146_: u32;
-    var phi_1170_: type_57;
-    var phi_3355_: bool;
-    var phi_1181_: type_8;
-    var phi_1182_: type_8;
-    var phi_1205_: type_8;
-    var phi_1215_: type_8;
-    var phi_1216_: type_8;
-    var phi_1239_: type_8;
-    var phi_3350_: bool;
-    var phi_3363_: bool;
-    var phi_3362_: bool;
-    var phi_1802_: vec3<f32>;
-    var phi_1803_: vec3<f32>;
-    var phi_1834_: bool;
-    var phi_1843_: vec3<f32>;
-    var phi_1883_: type_22;
-    var phi_1885_: type_22;
-    var phi_1886_: bool;
-    var phi_1890_: type_22;
-    var phi_1891_: type_22;
-    var phi_1892_: type_22;
-    var phi_1893_: bool;
-    var phi_1897_: type_22;
-    var phi_1898_: bool;
-    var phi_1902_: type_22;
-    var phi_1903_: bool;
-    var phi_1907_: type_22;
-    var phi_1930_: u32;
-    var phi_1944_: i32;
-    var phi_1964_: vec3<f32>;
-    var phi_1965_: vec3<f32>;
-    var phi_1981_: vec3<f32>;
-    var phi_1982_: vec3<f32>;
-    var phi_1998_: vec3<f32>;
-    var phi_1999_: vec3<f32>;
-    var phi_2035_: vec3<f32>;
-    var phi_2217_: f32;
-    var phi_2235_: bool;
-    var phi_2236_: bool;
-    var phi_2241_: type_40;
-    var phi_2242_: type_40;
-    var phi_3365_: bool;
-    var phi_1079_: type_40;
-    var phi_3364_: bool;
-    var local_23: type_40;
-    var phi_3444_: bool;
-    var phi_3125_: type_40;
-    var phi_3126_: type_63;
-    var phi_3127_: bool;
-    var phi_3128_: u32;
-    var phi_3443_: bool;
-    var phi_3129_: type_40;
-    var phi_3130_: type_63;
-    var phi_3131_: u32;
-    var phi_3132_: bool;
-    var phi_3133_: u32;
-    var phi_3442_: bool;
-    var phi_3134_: type_40;
-    var phi_3135_: type_63;
-    var phi_3136_: u32;
-    var phi_3137_: bool;
-    var phi_3138_: u32;
-    var phi_3441_: bool;
-    var phi_952_: type_40;
-    var phi_955_: type_63;
-    var phi_957_: u32;
-    var phi_959_: bool;
-    var phi_961_: u32;
-    var phi_3139_: bool;
-    var phi_3440_: bool;
-    var local_24: type_40;
-    var local_25: type_40;
+    var phi_706_: f32;
+    var phi_717_: f32;
+    var phi_723_: f32;
+    var phi_746_: f32;
+    var phi_757_: f32;
+    var phi_857_: f32;
+    var phi_858_: f32;
+    var phi_3321_: bool;
+    var phi_931_: type_40;
+    var phi_934_: type_62;
+    var phi_936_: u32;
+    var phi_938_: bool;
+    var phi_940_: u32;
+    var phi_951_: bool;
+    var phi_1037_: type_62;
+    var phi_1038_: bool;
+    var phi_1039_: u32;
+    var phi_2279_: type_49;
+    var phi_3111_: type_62;
+    var phi_3188_: type_62;
+    var phi_3189_: type_62;
+    var phi_3190_: u32;
+    var phi_3192_: type_62;
+    var phi_3193_: u32;
+    var phi_3194_: bool;
+    var phi_3201_: type_62;
+    var phi_3206_: type_62;
+    var phi_3207_: bool;
+    var phi_1058_: type_40;
+    var phi_1061_: type_8;
+    var phi_1062_: type_8;
+    var phi_1084_: type_8;
+    var phi_1109_: u32;
+    var phi_1125_: type_56;
+    var phi_1831_: vec3<f32>;
+    var phi_1832_: vec3<f32>;
+    var phi_1863_: bool;
+    var phi_1872_: vec3<f32>;
+    var phi_1912_: type_22;
+    var phi_1914_: type_22;
+    var phi_1915_: bool;
+    var phi_1919_: type_22;
+    var phi_1920_: type_22;
+    var phi_1921_: type_22;
+    var phi_1922_: bool;
+    var phi_1926_: type_22;
+    var phi_1927_: bool;
+    var phi_1931_: type_22;
+    var phi_1932_: bool;
+    var phi_1936_: type_22;
+    var phi_1959_: u32;
+    var phi_1973_: i32;
+    var phi_1989_: vec3<f32>;
+    var phi_1990_: vec3<f32>;
+    var phi_2002_: vec3<f32>;
+    var phi_2003_: vec3<f32>;
+    var phi_2015_: vec3<f32>;
+    var phi_2016_: vec3<f32>;
+    var phi_2052_: vec3<f32>;
+    var phi_2234_: f32;
+    var phi_2252_: bool;
+    var phi_2253_: bool;
+    var phi_2258_: type_40;
+    var phi_2259_: type_40;
+    var phi_1059_: type_40;
+    var phi_3315_: bool;
+    var local_10: type_40;
+    var phi_3475_: bool;
+    var phi_3209_: type_40;
+    var phi_3210_: type_62;
+    var phi_3211_: bool;
+    var phi_3212_: u32;
+    var phi_3474_: bool;
+    var phi_3213_: type_40;
+    var phi_3214_: type_62;
+    var phi_3215_: u32;
+    var phi_3216_: bool;
+    var phi_3217_: u32;
+    var phi_3473_: bool;
+    var phi_3218_: type_40;
+    var phi_3219_: type_62;
+    var phi_3220_: u32;
+    var phi_3221_: bool;
+    var phi_3222_: u32;
+    var phi_3472_: bool;
+    var phi_932_: type_40;
+    var phi_935_: type_62;
+    var phi_937_: u32;
+    var phi_939_: bool;
+    var phi_941_: u32;
+    var phi_3223_: bool;
+    var phi_3471_: bool;
+    var local_11: type_40;
+    var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e101 = arrayLength((&global_9.member));
-            let _e116 = arrayLength((&global_7.member));
-            let _e120 = global_4.member[0u][0u];
-            let _e124 = global_4.member[0u][1u];
-            let _e128 = global_4.member[0u][2u];
-            let _e132 = global_4.member[1u][0u];
-            let _e136 = global_4.member[1u][1u];
-            let _e140 = global_4.member[1u][2u];
-            let _e144 = global_4.member[1u][3u];
-            let _e148 = (_e98.x + (_e98.y * 2097152u));
-            let _e155 = (_e148 < arrayLength((&global_8.member)));
-            if _e155 {
-                if _e155 {
+            let _e83 = global;
+            let _e86 = arrayLength((&global_9.member));
+            let _e101 = arrayLength((&global_7.member));
+            let _e105 = global_4.member[0u][0u];
+            let _e109 = global_4.member[0u][1u];
+            let _e113 = global_4.member[0u][2u];
+            let _e117 = global_4.member[1u][0u];
+            let _e121 = global_4.member[1u][1u];
+            let _e125 = global_4.member[1u][2u];
+            let _e129 = global_4.member[1u][3u];
+            let _e133 = (_e83.x + (_e83.y * 2097152u));
+            let _e140 = (_e133 < arrayLength((&global_8.member)));
+            if _e140 {
+                if _e140 {
                 } else {
                     break;
                 }
-                let _e159 = global_8.member[_e148].member_2;
-                phi_290_ = _e159;
+                let _e144 = global_8.member[_e133].member_2;
+                phi_271_ = _e144;
             } else {
-                phi_290_ = 4294967295u;
+                phi_271_ = 4294967295u;
             }
-            let _e161 = phi_290_;
-            let _e164 = global_1.member[0u];
-            let _e168 = global_3.member[0u][0u];
-            let _e172 = global_3.member[0u][1u];
-            let _e176 = global_3.member[0u][2u];
-            let _e180 = global_3.member[0u][3u];
-            let _e184 = global_3.member[1u][0u];
-            let _e188 = global_3.member[1u][1u];
-            let _e192 = global_3.member[1u][2u];
-            let _e196 = global_3.member[1u][3u];
-            let _e197 = bitcast<f32>(_e168);
-            let _e198 = bitcast<f32>(_e172);
-            let _e199 = bitcast<f32>(_e176);
-            let _e201 = bitcast<f32>(_e184);
-            let _e202 = array<u32, 3>(_e188, _e192, _e196);
-            let _e204 = bitcast<i32>(_e164);
-            if (_e204 < -126i) {
-                phi_334_ = -126i;
+            let _e146 = phi_271_;
+            let _e149 = global_1.member[0u];
+            let _e153 = global_3.member[0u][0u];
+            let _e157 = global_3.member[0u][1u];
+            let _e161 = global_3.member[0u][2u];
+            let _e165 = global_3.member[0u][3u];
+            let _e169 = global_3.member[1u][0u];
+            let _e173 = global_3.member[1u][1u];
+            let _e177 = global_3.member[1u][2u];
+            let _e181 = global_3.member[1u][3u];
+            let _e182 = bitcast<f32>(_e153);
+            let _e183 = bitcast<f32>(_e157);
+            let _e184 = bitcast<f32>(_e161);
+            let _e186 = bitcast<f32>(_e169);
+            let _e187 = array<u32, 3>(_e173, _e177, _e181);
+            let _e189 = bitcast<i32>(_e149);
+            if (_e189 < -126i) {
+                phi_315_ = -126i;
             } else {
-                phi_334_ = select(_e204, 127i, (_e204 > 127i));
+                phi_315_ = select(_e189, 127i, (_e189 > 127i));
             }
-            let _e209 = phi_334_;
-            let _e214 = bitcast<f32>((bitcast<u32>((_e209 + 127i)) << bitcast<u32>(23i)));
-            let _e220 = bitcast<f32>((bitcast<u32>(((_e204 - _e209) + 127i)) << bitcast<u32>(23i)));
-            if (_e180 == 0u) {
-                phi_358_ = type_36(array<f32, 3>(_e197, _e198, _e199), _e180, _e201, _e202);
+            let _e194 = phi_315_;
+            let _e199 = bitcast<f32>((bitcast<u32>((_e194 + 127i)) << bitcast<u32>(23i)));
+            let _e205 = bitcast<f32>((bitcast<u32>(((_e189 - _e194) + 127i)) << bitcast<u32>(23i)));
+            if (_e165 == 0u) {
+                phi_339_ = type_36(array<f32, 3>(_e182, _e183, _e184), _e165, _e186, _e187);
             } else {
-                phi_358_ = type_36(array<f32, 3>(((_e197 * _e214) * _e220), ((_e198 * _e214) * _e220), ((_e199 * _e214) * _e220)), _e180, ((_e201 * _e214) * _e220), _e202);
+                phi_339_ = type_36(array<f32, 3>(((_e182 * _e199) * _e205), ((_e183 * _e199) * _e205), ((_e184 * _e199) * _e205)), _e165, ((_e186 * _e199) * _e205), _e187);
             }
-            let _e233 = phi_358_;
-            if _e155 {
-                let _e234 = (_e148 < arrayLength((&global_2.member)));
-                if _e234 {
-                    if _e155 {
+            let _e218 = phi_339_;
+            if _e140 {
+                let _e219 = (_e133 < arrayLength((&global_2.member)));
+                if _e219 {
+                    if _e140 {
                     } else {
                         break;
                     }
-                    let _e239 = global_8.member[_e148].member.member_1;
-                    let _e244 = global_8.member[_e148].member.member_3;
-                    if (_e239 <= _e244) {
-                        let _e246 = (1u < _e116);
-                        if _e246 {
-                            if (0u < _e116) {
+                    let _e224 = global_8.member[_e133].member.member_1;
+                    let _e229 = global_8.member[_e133].member.member_3;
+                    if (_e224 <= _e229) {
+                        let _e231 = (1u < _e101);
+                        if _e231 {
+                            if (0u < _e101) {
                             } else {
                                 break;
                             }
-                            let _e250 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e250 + 1u) < _e250) {
-                                if _e246 {
+                            let _e235 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e235 + 1u) < _e235) {
+                                if _e231 {
                                 } else {
                                     break;
                                 }
-                                let _e255 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e240 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e155 {
+                        if _e140 {
                         } else {
                             break;
                         }
-                        let _e265 = global_8.member[_e148].member.member_2[0u];
-                        let _e267 = (bitcast<u32>(_e265) & 2147483647u);
-                        let _e273 = global_8.member[_e148].member.member_2[1u];
-                        let _e275 = (bitcast<u32>(_e273) & 2147483647u);
-                        let _e281 = global_8.member[_e148].member.member_2[2u];
-                        let _e283 = (bitcast<u32>(_e281) & 2147483647u);
-                        let _e289 = global_8.member[_e148].member.member[0u];
-                        let _e291 = (bitcast<u32>(_e289) & 2147483647u);
-                        let _e297 = global_8.member[_e148].member.member[1u];
-                        let _e299 = (bitcast<u32>(_e297) & 2147483647u);
-                        let _e305 = global_8.member[_e148].member.member[2u];
-                        let _e307 = (bitcast<u32>(_e305) & 2147483647u);
-                        let _e309 = select(_e275, _e267, (_e275 < _e267));
-                        let _e311 = select(_e283, _e309, (_e283 < _e309));
-                        let _e313 = select(_e291, _e311, (_e291 < _e311));
-                        let _e315 = select(_e299, _e313, (_e299 < _e313));
-                        let _e317 = select(_e307, _e315, (_e307 < _e315));
-                        let _e319 = (bitcast<u32>(_e239) & 2147483647u);
-                        let _e328 = (((select(_e319, _e317, (_e319 < _e317)) < 2139095040u) && ((bitcast<u32>(_e244) & 2147483647u) <= 2139095040u)) && (_e311 > 0u));
-                        if _e328 {
-                            let _e331 = (bitcast<u32>(bitcast<f32>(_e311)) & 2147483647u);
-                            if (_e331 >= 8388608u) {
-                                phi_508_ = (bitcast<i32>((_e331 >> bitcast<u32>(23i))) - 127i);
+                        let _e250 = global_8.member[_e133].member.member_2[0u];
+                        let _e252 = (bitcast<u32>(_e250) & 2147483647u);
+                        let _e258 = global_8.member[_e133].member.member_2[1u];
+                        let _e260 = (bitcast<u32>(_e258) & 2147483647u);
+                        let _e266 = global_8.member[_e133].member.member_2[2u];
+                        let _e268 = (bitcast<u32>(_e266) & 2147483647u);
+                        let _e274 = global_8.member[_e133].member.member[0u];
+                        let _e276 = (bitcast<u32>(_e274) & 2147483647u);
+                        let _e282 = global_8.member[_e133].member.member[1u];
+                        let _e284 = (bitcast<u32>(_e282) & 2147483647u);
+                        let _e290 = global_8.member[_e133].member.member[2u];
+                        let _e292 = (bitcast<u32>(_e290) & 2147483647u);
+                        let _e294 = select(_e260, _e252, (_e260 < _e252));
+                        let _e296 = select(_e268, _e294, (_e268 < _e294));
+                        let _e298 = select(_e276, _e296, (_e276 < _e296));
+                        let _e300 = select(_e284, _e298, (_e284 < _e298));
+                        let _e302 = select(_e292, _e300, (_e292 < _e300));
+                        let _e304 = (bitcast<u32>(_e224) & 2147483647u);
+                        let _e313 = (((select(_e304, _e302, (_e304 < _e302)) < 2139095040u) && ((bitcast<u32>(_e229) & 2147483647u) <= 2139095040u)) && (_e296 > 0u));
+                        if _e313 {
+                            let _e316 = (bitcast<u32>(bitcast<f32>(_e296)) & 2147483647u);
+                            if (_e316 >= 8388608u) {
+                                phi_489_ = (bitcast<i32>((_e316 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_508_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e331)), 32u, (_e331 == 0u))));
+                                phi_489_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e316)), 32u, (_e316 == 0u))));
                             }
-                            let _e345 = phi_508_;
-                            phi_509_ = _e345;
+                            let _e330 = phi_489_;
+                            phi_490_ = _e330;
                         } else {
-                            phi_509_ = 0i;
+                            phi_490_ = 0i;
                         }
-                        let _e347 = phi_509_;
-                        let _e348 = (_e267 == _e311);
-                        if _e348 {
-                            phi_519_ = true;
+                        let _e332 = phi_490_;
+                        let _e333 = (_e252 == _e296);
+                        if _e333 {
+                            phi_500_ = true;
                         } else {
-                            phi_519_ = (_e275 == _e311);
+                            phi_500_ = (_e260 == _e296);
                         }
-                        let _e351 = phi_519_;
-                        let _e352 = select(1u, 0u, _e348);
-                        if _e351 {
-                            let _e353 = (_e352 + 1u);
-                            phi_529_ = _e353;
-                            phi_530_ = _e353;
-                            phi_532_ = select(true, false, (_e353 == 2u));
+                        let _e336 = phi_500_;
+                        let _e337 = select(1u, 0u, _e333);
+                        if _e336 {
+                            let _e338 = (_e337 + 1u);
+                            phi_510_ = _e338;
+                            phi_511_ = _e338;
+                            phi_513_ = select(true, false, (_e338 == 2u));
                         } else {
-                            phi_529_ = u32();
-                            phi_530_ = 0u;
-                            phi_532_ = true;
+                            phi_510_ = u32();
+                            phi_511_ = 0u;
+                            phi_513_ = true;
                         }
-                        let _e357 = phi_529_;
-                        let _e359 = phi_530_;
-                        let _e361 = phi_532_;
-                        if _e361 {
-                            phi_537_ = (_e359 + 1u);
+                        let _e342 = phi_510_;
+                        let _e344 = phi_511_;
+                        let _e346 = phi_513_;
+                        if _e346 {
+                            phi_518_ = (_e344 + 1u);
                         } else {
-                            phi_537_ = 0u;
+                            phi_518_ = 0u;
                         }
-                        let _e365 = phi_537_;
-                        let _e366 = select(_e357, _e359, _e361);
-                        let _e367 = select(_e352, select(2u, _e352, _e351), _e361);
-                        let _e368 = -(_e347);
-                        if (_e368 < -126i) {
-                            phi_570_ = -126i;
+                        let _e350 = phi_518_;
+                        let _e351 = select(_e342, _e344, _e346);
+                        let _e352 = select(_e337, select(2u, _e337, _e336), _e346);
+                        let _e353 = -(_e332);
+                        if (_e353 < -126i) {
+                            phi_550_ = -126i;
                         } else {
-                            phi_570_ = select(_e368, 127i, (_e368 > 127i));
+                            phi_550_ = select(_e353, 127i, (_e353 > 127i));
                         }
-                        let _e373 = phi_570_;
-                        let _e378 = bitcast<f32>((bitcast<u32>((_e373 + 127i)) << bitcast<u32>(23i)));
-                        let _e384 = bitcast<f32>((bitcast<u32>(((_e368 - _e373) + 127i)) << bitcast<u32>(23i)));
-                        let _e389 = global_8.member[_e148].member.member;
-                        let _e390 = (_e366 == 0u);
-                        if _e390 {
-                            phi_588_ = _e389[0];
+                        let _e358 = phi_550_;
+                        let _e363 = bitcast<f32>((bitcast<u32>((_e358 + 127i)) << bitcast<u32>(23i)));
+                        let _e369 = bitcast<f32>((bitcast<u32>(((_e353 - _e358) + 127i)) << bitcast<u32>(23i)));
+                        let _e374 = global_8.member[_e133].member.member;
+                        let _e375 = (_e351 == 0u);
+                        if _e375 {
+                            phi_568_ = _e374[0];
                         } else {
-                            phi_588_ = _e389[1];
+                            phi_568_ = _e374[1];
                         }
-                        let _e394 = phi_588_;
-                        let _e395 = (_e366 == 2u);
-                        if _e395 {
-                            phi_594_ = _e389[2];
+                        let _e379 = phi_568_;
+                        let _e380 = (_e351 == 2u);
+                        if _e380 {
+                            phi_574_ = _e374[2];
                         } else {
-                            phi_594_ = _e394;
+                            phi_574_ = _e379;
                         }
-                        let _e398 = phi_594_;
-                        let _e399 = global_8.member[_e148].member.member_2;
-                        if _e390 {
-                            phi_605_ = _e399[0];
+                        let _e383 = phi_574_;
+                        let _e384 = global_8.member[_e133].member.member_2;
+                        if _e375 {
+                            phi_585_ = _e384[0];
                         } else {
-                            phi_605_ = _e399[1];
+                            phi_585_ = _e384[1];
                         }
-                        let _e403 = phi_605_;
-                        if _e395 {
-                            phi_611_ = _e399[2];
+                        let _e388 = phi_585_;
+                        if _e380 {
+                            phi_591_ = _e384[2];
                         } else {
-                            phi_611_ = _e403;
+                            phi_591_ = _e388;
                         }
-                        let _e406 = phi_611_;
-                        let _e408 = ((_e406 * _e378) * _e384);
-                        let _e412 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) < 0.00000000000000000086736174f);
+                        let _e391 = phi_591_;
+                        let _e393 = ((_e391 * _e363) * _e369);
+                        let _e397 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e397 {
+                            let _e401 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
+                            phi_614_ = select(0.00000000000011368684f, _e401, (_e401 > 0.00000000000011368684f));
+                        } else {
+                            phi_614_ = 0f;
+                        }
+                        let _e405 = phi_614_;
+                        let _e406 = (_e383 + _e405);
+                        let _e407 = (_e383 - _e405);
+                        let _e408 = select(_e393, 0f, _e397);
+                        if _e397 {
+                            phi_625_ = 38685626000000000000000000f;
+                        } else {
+                            phi_625_ = (1f / _e393);
+                        }
+                        let _e411 = phi_625_;
+                        let _e412 = (_e350 == 0u);
                         if _e412 {
-                            let _e416 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) * 0.00000011920929f);
-                            phi_634_ = select(0.00000000000011368684f, _e416, (_e416 > 0.00000000000011368684f));
+                            phi_634_ = _e374[0];
                         } else {
-                            phi_634_ = 0f;
+                            phi_634_ = _e374[1];
                         }
-                        let _e420 = phi_634_;
-                        let _e421 = (_e398 + _e420);
-                        let _e422 = (_e398 - _e420);
-                        let _e423 = select(_e408, 0f, _e412);
+                        let _e416 = phi_634_;
+                        let _e417 = (_e350 == 2u);
+                        if _e417 {
+                            phi_640_ = _e374[2];
+                        } else {
+                            phi_640_ = _e416;
+                        }
+                        let _e420 = phi_640_;
                         if _e412 {
-                            phi_645_ = 38685626000000000000000000f;
+                            phi_651_ = _e384[0];
                         } else {
-                            phi_645_ = (1f / _e408);
+                            phi_651_ = _e384[1];
                         }
-                        let _e426 = phi_645_;
-                        let _e427 = (_e365 == 0u);
-                        if _e427 {
-                            phi_654_ = _e389[0];
+                        let _e424 = phi_651_;
+                        if _e417 {
+                            phi_657_ = _e384[2];
                         } else {
-                            phi_654_ = _e389[1];
+                            phi_657_ = _e424;
                         }
-                        let _e431 = phi_654_;
-                        let _e432 = (_e365 == 2u);
-                        if _e432 {
-                            phi_660_ = _e389[2];
+                        let _e427 = phi_657_;
+                        let _e429 = ((_e427 * _e363) * _e369);
+                        let _e433 = (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e433 {
+                            let _e437 = (bitcast<f32>((bitcast<u32>(_e420) & 2147483647u)) * 0.00000011920929f);
+                            phi_680_ = select(0.00000000000011368684f, _e437, (_e437 > 0.00000000000011368684f));
                         } else {
-                            phi_660_ = _e431;
+                            phi_680_ = 0f;
                         }
-                        let _e435 = phi_660_;
-                        if _e427 {
-                            phi_671_ = _e399[0];
+                        let _e441 = phi_680_;
+                        let _e442 = (_e420 + _e441);
+                        let _e443 = (_e420 - _e441);
+                        let _e444 = select(_e429, 0f, _e433);
+                        if _e433 {
+                            phi_691_ = 38685626000000000000000000f;
                         } else {
-                            phi_671_ = _e399[1];
+                            phi_691_ = (1f / _e429);
                         }
-                        let _e439 = phi_671_;
-                        if _e432 {
-                            phi_677_ = _e399[2];
-                        } else {
-                            phi_677_ = _e439;
-                        }
-                        let _e442 = phi_677_;
-                        let _e444 = ((_e442 * _e378) * _e384);
-                        let _e448 = (bitcast<f32>((bitcast<u32>(_e444) & 2147483647u)) < 0.00000000000000000086736174f);
+                        let _e447 = phi_691_;
+                        let _e448 = (_e352 == 0u);
                         if _e448 {
-                            let _e452 = (bitcast<f32>((bitcast<u32>(_e435) & 2147483647u)) * 0.00000011920929f);
-                            phi_700_ = select(0.00000000000011368684f, _e452, (_e452 > 0.00000000000011368684f));
+                            phi_700_ = _e374[0];
                         } else {
-                            phi_700_ = 0f;
+                            phi_700_ = _e374[1];
                         }
-                        let _e456 = phi_700_;
-                        let _e457 = (_e435 + _e456);
-                        let _e458 = (_e435 - _e456);
-                        let _e459 = select(_e444, 0f, _e448);
+                        let _e452 = phi_700_;
+                        let _e453 = (_e352 == 2u);
+                        if _e453 {
+                            phi_706_ = _e374[2];
+                        } else {
+                            phi_706_ = _e452;
+                        }
+                        let _e456 = phi_706_;
                         if _e448 {
-                            phi_711_ = 38685626000000000000000000f;
+                            phi_717_ = _e384[0];
                         } else {
-                            phi_711_ = (1f / _e444);
+                            phi_717_ = _e384[1];
                         }
-                        let _e462 = phi_711_;
-                        let _e463 = (_e367 == 0u);
-                        if _e463 {
-                            phi_720_ = _e389[0];
+                        let _e460 = phi_717_;
+                        if _e453 {
+                            phi_723_ = _e384[2];
                         } else {
-                            phi_720_ = _e389[1];
+                            phi_723_ = _e460;
                         }
-                        let _e467 = phi_720_;
-                        let _e468 = (_e367 == 2u);
-                        if _e468 {
-                            phi_726_ = _e389[2];
+                        let _e463 = phi_723_;
+                        let _e465 = ((_e463 * _e363) * _e369);
+                        let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e469 {
+                            let _e473 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) * 0.00000011920929f);
+                            phi_746_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
                         } else {
-                            phi_726_ = _e467;
+                            phi_746_ = 0f;
                         }
-                        let _e471 = phi_726_;
-                        if _e463 {
-                            phi_737_ = _e399[0];
+                        let _e477 = phi_746_;
+                        let _e478 = (_e456 + _e477);
+                        let _e479 = (_e456 - _e477);
+                        let _e480 = select(_e465, 0f, _e469);
+                        if _e469 {
+                            phi_757_ = 38685626000000000000000000f;
                         } else {
-                            phi_737_ = _e399[1];
+                            phi_757_ = (1f / _e465);
                         }
-                        let _e475 = phi_737_;
-                        if _e468 {
-                            phi_743_ = _e399[2];
+                        let _e483 = phi_757_;
+                        let _e486 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
+                        let _e489 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
+                        let _e491 = select(_e489, _e486, (_e486 > _e489));
+                        let _e494 = bitcast<f32>((bitcast<u32>(_e456) & 2147483647u));
+                        if (_e313 && (select(_e494, _e491, (_e491 > _e494)) <= 1099511600000f)) {
+                            let _e499 = (_e332 / 3i);
+                            let _e506 = bitcast<f32>((bitcast<u32>((_e499 + 127i)) << bitcast<u32>(23i)));
+                            let _e513 = bitcast<f32>((bitcast<u32>(((_e332 - (2i * _e499)) + 127i)) << bitcast<u32>(23i)));
+                            let _e514 = (((_e224 * _e506) * _e506) * _e513);
+                            let _e516 = select(340282350000000000000000000000000000000f, _e514, (_e514 < 340282350000000000000000000000000000000f));
+                            let _e521 = (((_e229 * _e506) * _e506) * _e513);
+                            let _e523 = select(340282350000000000000000000000000000000f, _e521, (_e521 < 340282350000000000000000000000000000000f));
+                            phi_857_ = select(-340282350000000000000000000000000000000f, _e523, (_e523 > -340282350000000000000000000000000000000f));
+                            phi_858_ = select(-340282350000000000000000000000000000000f, _e516, (_e516 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_743_ = _e475;
+                            phi_857_ = 0f;
+                            phi_858_ = 1f;
                         }
-                        let _e478 = phi_743_;
-                        let _e480 = ((_e478 * _e378) * _e384);
-                        let _e484 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e484 {
-                            let _e488 = (bitcast<f32>((bitcast<u32>(_e471) & 2147483647u)) * 0.00000011920929f);
-                            phi_766_ = select(0.00000000000011368684f, _e488, (_e488 > 0.00000000000011368684f));
-                        } else {
-                            phi_766_ = 0f;
-                        }
-                        let _e492 = phi_766_;
-                        let _e493 = (_e471 + _e492);
-                        let _e494 = (_e471 - _e492);
-                        let _e495 = select(_e480, 0f, _e484);
-                        if _e484 {
-                            phi_777_ = 38685626000000000000000000f;
-                        } else {
-                            phi_777_ = (1f / _e480);
-                        }
-                        let _e498 = phi_777_;
-                        let _e501 = bitcast<f32>((bitcast<u32>(_e398) & 2147483647u));
-                        let _e504 = bitcast<f32>((bitcast<u32>(_e435) & 2147483647u));
-                        let _e506 = select(_e504, _e501, (_e501 > _e504));
-                        let _e509 = bitcast<f32>((bitcast<u32>(_e471) & 2147483647u));
-                        if (_e328 && (select(_e509, _e506, (_e506 > _e509)) <= 1099511600000f)) {
-                            let _e514 = (_e347 / 3i);
-                            let _e521 = bitcast<f32>((bitcast<u32>((_e514 + 127i)) << bitcast<u32>(23i)));
-                            let _e528 = bitcast<f32>((bitcast<u32>(((_e347 - (2i * _e514)) + 127i)) << bitcast<u32>(23i)));
-                            let _e529 = (((_e239 * _e521) * _e521) * _e528);
-                            let _e531 = select(340282350000000000000000000000000000000f, _e529, (_e529 < 340282350000000000000000000000000000000f));
-                            let _e536 = (((_e244 * _e521) * _e521) * _e528);
-                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
-                            phi_877_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
-                            phi_878_ = select(-340282350000000000000000000000000000000f, _e531, (_e531 > -340282350000000000000000000000000000000f));
-                        } else {
-                            phi_877_ = 0f;
-                            phi_878_ = 1f;
-                        }
-                        let _e542 = phi_877_;
-                        let _e544 = phi_878_;
+                        let _e527 = phi_857_;
+                        let _e529 = phi_858_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -600,1011 +567,831 @@ fn function_() {
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_11 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_22 = array<f32, 3>(bitcast<f32>(_e120), bitcast<f32>(_e124), bitcast<f32>(_e128));
-                        let _e549 = (_e366 % 3u);
-                        let _e550 = (_e549 < 3u);
-                        if _e550 {
+                        local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
+                        local_9 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
+                        let _e534 = (_e351 % 3u);
+                        let _e535 = (_e534 < 3u);
+                        if _e535 {
                         } else {
                             break;
                         }
-                        let _e552 = local_22[_e549];
-                        let _e553 = (_e365 % 3u);
-                        let _e554 = (_e553 < 3u);
-                        if _e554 {
+                        let _e537 = local_9[_e534];
+                        let _e538 = (_e350 % 3u);
+                        let _e539 = (_e538 < 3u);
+                        if _e539 {
                         } else {
                             break;
                         }
-                        let _e556 = local_22[_e553];
-                        let _e557 = (_e367 % 3u);
-                        let _e558 = (_e557 < 3u);
-                        if _e558 {
+                        let _e541 = local_9[_e538];
+                        let _e542 = (_e352 % 3u);
+                        let _e543 = (_e542 < 3u);
+                        if _e543 {
                         } else {
                             break;
                         }
-                        let _e560 = local_22[_e557];
-                        local_21 = array<f32, 3>(bitcast<f32>(_e132), bitcast<f32>(_e136), bitcast<f32>(_e140));
-                        if _e550 {
+                        let _e545 = local_9[_e542];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e117), bitcast<f32>(_e121), bitcast<f32>(_e125));
+                        if _e535 {
                         } else {
                             break;
                         }
-                        let _e564 = local_21[_e549];
-                        if _e554 {
+                        let _e549 = local_8[_e534];
+                        if _e539 {
                         } else {
                             break;
                         }
-                        let _e566 = local_21[_e553];
-                        if _e558 {
+                        let _e551 = local_8[_e538];
+                        if _e543 {
                         } else {
                             break;
                         }
-                        let _e568 = local_21[_e557];
-                        phi_3282_ = false;
-                        phi_951_ = type_40(_e542, false);
-                        phi_954_ = type_63(type_55(array<f32, 3>(_e552, _e556, _e560), array<f32, 3>(_e564, _e566, _e568)), select(0u, 2147483648u, (_e101 == 0u)));
-                        phi_956_ = ((3u * _e101) + 1u);
-                        phi_958_ = (_e544 <= _e542);
-                        phi_960_ = 0u;
+                        let _e553 = local_8[_e542];
+                        phi_3321_ = false;
+                        phi_931_ = type_40(_e527, false);
+                        phi_934_ = type_62(type_54(array<f32, 3>(_e537, _e541, _e545), array<f32, 3>(_e549, _e551, _e553)), select(0u, 2147483648u, (_e86 == 0u)));
+                        phi_936_ = ((3u * _e86) + 1u);
+                        phi_938_ = (_e529 <= _e527);
+                        phi_940_ = 0u;
                         loop {
-                            let _e576 = phi_3282_;
-                            let _e578 = phi_951_;
-                            let _e580 = phi_954_;
-                            let _e582 = phi_956_;
-                            let _e584 = phi_958_;
-                            let _e586 = phi_960_;
-                            local_24 = _e578;
-                            if _e584 {
-                                phi_971_ = true;
+                            let _e561 = phi_3321_;
+                            let _e563 = phi_931_;
+                            let _e565 = phi_934_;
+                            let _e567 = phi_936_;
+                            let _e569 = phi_938_;
+                            let _e571 = phi_940_;
+                            local_11 = _e563;
+                            if _e569 {
+                                phi_951_ = true;
                             } else {
-                                phi_971_ = (_e586 > 0u);
+                                phi_951_ = (_e571 > 0u);
                             }
-                            let _e589 = phi_971_;
-                            if _e589 {
-                                let _e590 = (_e582 > 0u);
-                                if _e590 {
-                                    if _e584 {
-                                        phi_1057_ = _e580;
-                                        phi_1058_ = _e584;
-                                        phi_1059_ = _e586;
+                            let _e574 = phi_951_;
+                            if _e574 {
+                                let _e575 = (_e567 > 0u);
+                                if _e575 {
+                                    if _e569 {
+                                        phi_1037_ = _e565;
+                                        phi_1038_ = _e569;
+                                        phi_1039_ = _e571;
                                     } else {
-                                        let _e591 = (_e586 - 1u);
-                                        let _e592 = (_e591 % 128u);
-                                        let _e593 = (_e592 < 128u);
-                                        if _e593 {
+                                        let _e576 = (_e571 - 1u);
+                                        let _e577 = (_e576 % 128u);
+                                        let _e578 = (_e577 < 128u);
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e595 = local_6[_e592];
-                                        if _e593 {
+                                        let _e580 = local_6[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e597 = local_5[_e592];
-                                        if _e593 {
+                                        let _e582 = local_5[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e599 = local_4[_e592];
-                                        if _e593 {
+                                        let _e584 = local_4[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e601 = local_3[_e592];
-                                        if _e593 {
+                                        let _e586 = local_3[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e604 = local_2[_e592];
-                                        if _e593 {
+                                        let _e589 = local_2[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e606 = local_1[_e592];
-                                        if _e593 {
+                                        let _e591 = local_1[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e608 = local[_e592];
-                                        if _e593 {
+                                        let _e593 = local[_e577];
+                                        if _e578 {
                                         } else {
-                                            phi_3440_ = true;
+                                            phi_3471_ = true;
                                             break;
                                         }
-                                        let _e613 = local_11[_e592];
-                                        phi_1057_ = type_63(type_55(array<f32, 3>(_e597, _e599, _e601), array<f32, 3>(_e604, _e606, _e608)), _e595);
-                                        phi_1058_ = (_e613 <= _e578.member);
-                                        phi_1059_ = _e591;
+                                        let _e598 = local_7[_e577];
+                                        phi_1037_ = type_62(type_54(array<f32, 3>(_e582, _e584, _e586), array<f32, 3>(_e589, _e591, _e593)), _e580);
+                                        phi_1038_ = (_e598 <= _e563.member);
+                                        phi_1039_ = _e576;
                                     }
-                                    let _e617 = phi_1057_;
-                                    let _e619 = phi_1058_;
-                                    let _e621 = phi_1059_;
-                                    if _e619 {
-                                        if ((_e617.member_1 & 2147483648u) != 0u) {
-                                            phi_3359_ = _e576;
-                                            phi_1078_ = _e578;
-                                            phi_1081_ = type_8(0u, ((_e617.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e602 = phi_1037_;
+                                    let _e604 = phi_1038_;
+                                    let _e606 = phi_1039_;
+                                    if _e604 {
+                                        if ((_e602.member_1 & 2147483648u) != 0u) {
+                                            phi_1058_ = _e563;
+                                            phi_1061_ = type_8(0u, ((_e602.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e946 = phi_3359_;
-                                                let _e948 = phi_1078_;
-                                                let _e950 = phi_1081_;
-                                                local_23 = _e948;
-                                                local_25 = _e948;
-                                                if (_e950.member < _e950.member_1) {
-                                                    phi_1082_ = type_8((_e950.member + 1u), _e950.member_1);
-                                                    phi_1104_ = type_8(1u, _e950.member);
+                                                let _e959 = phi_1058_;
+                                                let _e961 = phi_1061_;
+                                                local_10 = _e959;
+                                                local_12 = _e959;
+                                                if (_e961.member < _e961.member_1) {
+                                                    phi_1062_ = type_8((_e961.member + 1u), _e961.member_1);
+                                                    phi_1084_ = type_8(1u, _e961.member);
                                                 } else {
-                                                    phi_1082_ = _e950;
-                                                    phi_1104_ = type_8(0u, type_8().member_1);
+                                                    phi_1062_ = _e961;
+                                                    phi_1084_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e963 = phi_1082_;
-                                                let _e965 = phi_1104_;
-                                                let _e969 = (bitcast<i32>(_e965.member) != 0i);
-                                                if _e969 {
-                                                    local_8 = array<f32, 3>(_e617.member.member[0], _e617.member.member[1], _e617.member.member[2]);
-                                                    local_7 = array<f32, 3>(_e617.member.member_1[0], _e617.member.member_1[1], _e617.member.member_1[2]);
-                                                    let _e980 = ((_e617.member_1 & 268435455u) + _e965.member_1);
-                                                    let _e981 = (_e980 < arrayLength((&global_10.member)));
-                                                    if _e981 {
-                                                        if _e981 {
+                                                let _e974 = phi_1062_;
+                                                let _e976 = phi_1084_;
+                                                let _e980 = (bitcast<i32>(_e976.member) != 0i);
+                                                if _e980 {
+                                                    let _e981 = ((_e602.member_1 & 268435455u) + _e976.member_1);
+                                                    let _e982 = (_e981 < arrayLength((&global_10.member)));
+                                                    if _e982 {
+                                                        if _e982 {
                                                         } else {
-                                                            phi_3364_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e984 = global_10.member[_e980].member_1;
-                                                        phi_1146_ = _e984;
+                                                        let _e985 = global_10.member[_e981].member_1;
+                                                        phi_1109_ = _e985;
                                                     } else {
-                                                        phi_1146_ = 4294967295u;
+                                                        phi_1109_ = 4294967295u;
                                                     }
-                                                    let _e986 = phi_1146_;
-                                                    local_18 = array<u32, 3>(_e366, _e365, _e367);
-                                                    if _e981 {
-                                                        if _e981 {
+                                                    let _e987 = phi_1109_;
+                                                    if _e982 {
+                                                        if _e982 {
                                                         } else {
-                                                            phi_3364_ = true;
+                                                            phi_3315_ = true;
                                                             break;
                                                         }
-                                                        let _e989 = global_10.member[_e980];
-                                                        phi_1170_ = _e989;
+                                                        let _e989 = global_10.member[_e981];
+                                                        phi_1125_ = _e989;
                                                     } else {
-                                                        phi_1170_ = type_57(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1125_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e991 = phi_1170_;
-                                                    local_20 = array<u32, 3>(_e991.member[0], _e991.member[1], _e991.member[2]);
-                                                    local_19[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_19[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_19[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_3355_ = _e946;
-                                                    phi_1181_ = type_8(0u, 3u);
-                                                    loop {
-                                                        let _e1001 = phi_3355_;
-                                                        let _e1003 = phi_1181_;
-                                                        if (_e1003.member < _e1003.member_1) {
-                                                            phi_1182_ = type_8((_e1003.member + 1u), _e1003.member_1);
-                                                            phi_1205_ = type_8(1u, _e1003.member);
+                                                    let _e991 = phi_1125_;
+                                                    let _e1003 = ((10u * _e351) & 31u);
+                                                    let _e1006 = ((_e991.member[0] >> bitcast<u32>(_e1003)) & 1023u);
+                                                    let _e1011 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[0] - _e602.member.member[0]) * 0.0009775171f)) ^ _e129));
+                                                    let _e1017 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1006) * _e1011)) ^ _e129)));
+                                                    let _e1021 = select(select(_e602.member.member_1[0], _e1017, (_e1017 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1006 == 1023u));
+                                                    let _e1023 = ((10u * _e350) & 31u);
+                                                    let _e1026 = ((_e991.member[0] >> bitcast<u32>(_e1023)) & 1023u);
+                                                    let _e1031 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[1] - _e602.member.member[1]) * 0.0009775171f)) ^ _e129));
+                                                    let _e1037 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1026) * _e1031)) ^ _e129)));
+                                                    let _e1041 = select(select(_e602.member.member_1[1], _e1037, (_e1037 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1026 == 1023u));
+                                                    let _e1043 = ((10u * _e352) & 31u);
+                                                    let _e1046 = ((_e991.member[0] >> bitcast<u32>(_e1043)) & 1023u);
+                                                    let _e1051 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[2] - _e602.member.member[2]) * 0.0009775171f)) ^ _e129));
+                                                    let _e1057 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1046) * _e1051)) ^ _e129)));
+                                                    let _e1061 = select(select(_e602.member.member_1[2], _e1057, (_e1057 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1046 == 1023u));
+                                                    let _e1065 = ((_e991.member[1] >> bitcast<u32>(_e1003)) & 1023u);
+                                                    let _e1071 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1065) * _e1011)) ^ _e129)));
+                                                    let _e1075 = select(select(_e602.member.member_1[0], _e1071, (_e1071 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1065 == 1023u));
+                                                    let _e1078 = ((_e991.member[1] >> bitcast<u32>(_e1023)) & 1023u);
+                                                    let _e1084 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1078) * _e1031)) ^ _e129)));
+                                                    let _e1088 = select(select(_e602.member.member_1[1], _e1084, (_e1084 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1078 == 1023u));
+                                                    let _e1091 = ((_e991.member[1] >> bitcast<u32>(_e1043)) & 1023u);
+                                                    let _e1097 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1091) * _e1051)) ^ _e129)));
+                                                    let _e1101 = select(select(_e602.member.member_1[2], _e1097, (_e1097 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1091 == 1023u));
+                                                    let _e1105 = ((_e991.member[2] >> bitcast<u32>(_e1003)) & 1023u);
+                                                    let _e1111 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1105) * _e1011)) ^ _e129)));
+                                                    let _e1115 = select(select(_e602.member.member_1[0], _e1111, (_e1111 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1105 == 1023u));
+                                                    let _e1118 = ((_e991.member[2] >> bitcast<u32>(_e1023)) & 1023u);
+                                                    let _e1124 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1118) * _e1031)) ^ _e129)));
+                                                    let _e1128 = select(select(_e602.member.member_1[1], _e1124, (_e1124 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1118 == 1023u));
+                                                    let _e1131 = ((_e991.member[2] >> bitcast<u32>(_e1043)) & 1023u);
+                                                    let _e1137 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1131) * _e1051)) ^ _e129)));
+                                                    let _e1141 = select(select(_e602.member.member_1[2], _e1137, (_e1137 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1131 == 1023u));
+                                                    let _e1145 = (_e1061 - _e456);
+                                                    let _e1148 = (((_e1021 - _e383) * _e480) - (_e1145 * _e408));
+                                                    let _e1151 = (((_e1041 - _e420) * _e480) - (_e1145 * _e444));
+                                                    let _e1154 = (_e1101 - _e456);
+                                                    let _e1157 = (((_e1075 - _e383) * _e480) - (_e1154 * _e408));
+                                                    let _e1160 = (((_e1088 - _e420) * _e480) - (_e1154 * _e444));
+                                                    let _e1163 = (_e1141 - _e456);
+                                                    let _e1166 = (((_e1115 - _e383) * _e480) - (_e1163 * _e408));
+                                                    let _e1169 = (((_e1128 - _e420) * _e480) - (_e1163 * _e444));
+                                                    let _e1170 = (_e1166 * _e1160);
+                                                    let _e1171 = (_e1169 * _e1157);
+                                                    let _e1172 = (_e1148 * _e1169);
+                                                    let _e1173 = (_e1151 * _e1166);
+                                                    let _e1174 = (_e1157 * _e1151);
+                                                    let _e1175 = (_e1160 * _e1148);
+                                                    let _e1180 = (((_e1170 >= _e1171) && (_e1172 >= _e1173)) && (_e1174 >= _e1175));
+                                                    if (_e1180 || (((_e1170 <= _e1171) && (_e1172 <= _e1173)) && (_e1174 <= _e1175))) {
+                                                        let _e1187 = select(-1f, 1f, _e1180);
+                                                        let _e1189 = ((_e1170 - _e1171) * _e1187);
+                                                        let _e1191 = select(0f, _e1189, (_e1189 > 0f));
+                                                        let _e1193 = ((_e1172 - _e1173) * _e1187);
+                                                        let _e1195 = select(0f, _e1193, (_e1193 > 0f));
+                                                        let _e1197 = ((_e1174 - _e1175) * _e1187);
+                                                        let _e1199 = select(0f, _e1197, (_e1197 > 0f));
+                                                        let _e1201 = ((_e1191 + _e1195) + _e1199);
+                                                        if (_e1201 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1926_ = type_22();
+                                                            phi_1927_ = true;
                                                         } else {
-                                                            phi_1182_ = _e1003;
-                                                            phi_1205_ = type_8(0u, type_8().member_1);
-                                                        }
-                                                        let _e1016 = phi_1182_;
-                                                        let _e1018 = phi_1205_;
-                                                        let _e1022 = (bitcast<i32>(_e1018.member) != 0i);
-                                                        if _e1022 {
-                                                            phi_1215_ = type_8(0u, 3u);
-                                                            loop {
-                                                                let _e1024 = phi_1215_;
-                                                                if (_e1024.member < _e1024.member_1) {
-                                                                    phi_1216_ = type_8((_e1024.member + 1u), _e1024.member_1);
-                                                                    phi_1239_ = type_8(1u, _e1024.member);
-                                                                } else {
-                                                                    phi_1216_ = _e1024;
-                                                                    phi_1239_ = type_8(0u, type_8().member_1);
-                                                                }
-                                                                let _e1037 = phi_1216_;
-                                                                let _e1039 = phi_1239_;
-                                                                let _e1043 = (bitcast<i32>(_e1039.member) != 0i);
-                                                                if _e1043 {
-                                                                    let _e1044 = (_e1018.member_1 < 3u);
-                                                                    if _e1044 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1046 = local_20[_e1018.member_1];
-                                                                    let _e1047 = (_e1039.member_1 < 3u);
-                                                                    if _e1047 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1049 = local_18[_e1039.member_1];
-                                                                    let _e1054 = ((_e1046 >> bitcast<u32>(((10u * _e1049) & 31u))) & 1023u);
-                                                                    if _e1047 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1056 = local_8[_e1039.member_1];
-                                                                    if _e1047 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1058 = local_7[_e1039.member_1];
-                                                                    let _e1069 = (_e1056 + bitcast<f32>((bitcast<u32>((f32(_e1054) * bitcast<f32>((bitcast<u32>(((_e1058 - _e1056) * 0.0009775171f)) ^ _e144)))) ^ _e144)));
-                                                                    if _e1044 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    if _e1047 {
-                                                                    } else {
-                                                                        phi_3350_ = true;
-                                                                        break;
-                                                                    }
-                                                                    local_19[_e1018.member_1][_e1039.member_1] = select(select(_e1058, _e1069, (_e1069 < _e1058)), _e1058, (_e1054 == 1023u));
-                                                                }
-                                                                continue;
-                                                                continuing {
-                                                                    phi_1215_ = _e1037;
-                                                                    phi_3350_ = _e1001;
-                                                                    break if !(_e1043);
-                                                                }
-                                                            }
-                                                            let _e1078 = phi_3350_;
-                                                            phi_3362_ = _e1078;
-                                                            if _e1078 {
-                                                                break;
-                                                            }
-                                                            phi_3363_ = _e1078;
-                                                        } else {
-                                                            phi_3363_ = _e1001;
-                                                        }
-                                                        let _e1080 = phi_3363_;
-                                                        continue;
-                                                        continuing {
-                                                            phi_3355_ = _e1080;
-                                                            phi_1181_ = _e1016;
-                                                            phi_3362_ = _e1080;
-                                                            break if !(_e1022);
-                                                        }
-                                                    }
-                                                    let _e1083 = phi_3362_;
-                                                    phi_3364_ = _e1083;
-                                                    if _e1083 {
-                                                        break;
-                                                    }
-                                                    let _e1084 = local_19;
-                                                    let _e1100 = (_e1084[0][2] - _e471);
-                                                    let _e1103 = (((_e1084[0][0] - _e398) * _e495) - (_e1100 * _e423));
-                                                    let _e1106 = (((_e1084[0][1] - _e435) * _e495) - (_e1100 * _e459));
-                                                    let _e1109 = (_e1084[1][2] - _e471);
-                                                    let _e1112 = (((_e1084[1][0] - _e398) * _e495) - (_e1109 * _e423));
-                                                    let _e1115 = (((_e1084[1][1] - _e435) * _e495) - (_e1109 * _e459));
-                                                    let _e1118 = (_e1084[2][2] - _e471);
-                                                    let _e1121 = (((_e1084[2][0] - _e398) * _e495) - (_e1118 * _e423));
-                                                    let _e1124 = (((_e1084[2][1] - _e435) * _e495) - (_e1118 * _e459));
-                                                    let _e1125 = (_e1121 * _e1115);
-                                                    let _e1126 = (_e1124 * _e1112);
-                                                    let _e1127 = (_e1103 * _e1124);
-                                                    let _e1128 = (_e1106 * _e1121);
-                                                    let _e1129 = (_e1112 * _e1106);
-                                                    let _e1130 = (_e1115 * _e1103);
-                                                    let _e1135 = (((_e1125 >= _e1126) && (_e1127 >= _e1128)) && (_e1129 >= _e1130));
-                                                    if (_e1135 || (((_e1125 <= _e1126) && (_e1127 <= _e1128)) && (_e1129 <= _e1130))) {
-                                                        let _e1142 = select(-1f, 1f, _e1135);
-                                                        let _e1144 = ((_e1125 - _e1126) * _e1142);
-                                                        let _e1146 = select(0f, _e1144, (_e1144 > 0f));
-                                                        let _e1148 = ((_e1127 - _e1128) * _e1142);
-                                                        let _e1150 = select(0f, _e1148, (_e1148 > 0f));
-                                                        let _e1152 = ((_e1129 - _e1130) * _e1142);
-                                                        let _e1154 = select(0f, _e1152, (_e1152 > 0f));
-                                                        let _e1156 = ((_e1146 + _e1150) + _e1154);
-                                                        if (_e1156 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1897_ = type_22();
-                                                            phi_1898_ = true;
-                                                        } else {
-                                                            let _e1159 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] < _e1084[1][0]));
-                                                            let _e1163 = select(_e1084[1][0], _e1084[0][0], (_e1084[0][0] > _e1084[1][0]));
-                                                            let _e1167 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] < _e1084[1][1]));
-                                                            let _e1171 = select(_e1084[1][1], _e1084[0][1], (_e1084[0][1] > _e1084[1][1]));
-                                                            let _e1175 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] < _e1084[1][2]));
-                                                            let _e1179 = select(_e1084[1][2], _e1084[0][2], (_e1084[0][2] > _e1084[1][2]));
-                                                            let _e1184 = ((select(_e1084[2][0], _e1159, (_e1159 < _e1084[2][0])) - _e421) * _e426);
-                                                            let _e1185 = ((select(_e1084[2][0], _e1163, (_e1163 > _e1084[2][0])) - _e422) * _e426);
-                                                            let _e1188 = ((select(_e1084[2][1], _e1167, (_e1167 < _e1084[2][1])) - _e457) * _e462);
-                                                            let _e1189 = ((select(_e1084[2][1], _e1171, (_e1171 > _e1084[2][1])) - _e458) * _e462);
-                                                            let _e1192 = ((select(_e1084[2][2], _e1175, (_e1175 < _e1084[2][2])) - _e493) * _e498);
-                                                            let _e1193 = ((select(_e1084[2][2], _e1179, (_e1179 > _e1084[2][2])) - _e494) * _e498);
-                                                            let _e1195 = select(_e1193, _e1192, (_e1192 < _e1193));
-                                                            let _e1197 = select(_e1193, _e1192, (_e1192 > _e1193));
-                                                            let _e1199 = select(_e1185, _e1184, (_e1184 < _e1185));
-                                                            let _e1201 = select(_e1189, _e1188, (_e1188 < _e1189));
-                                                            let _e1203 = select(_e1201, _e1199, (_e1199 > _e1201));
-                                                            let _e1205 = select(_e1195, _e1203, (_e1203 > _e1195));
-                                                            let _e1207 = select(_e1185, _e1184, (_e1184 > _e1185));
-                                                            let _e1209 = select(_e1189, _e1188, (_e1188 > _e1189));
-                                                            let _e1211 = select(_e1209, _e1207, (_e1207 < _e1209));
-                                                            let _e1213 = select(_e1197, _e1211, (_e1211 < _e1197));
-                                                            let _e1214 = -(_e1195);
-                                                            let _e1220 = select(_e544, _e1205, (_e1205 > _e544));
-                                                            if (_e1220 > (_e1213 + (select(_e1214, _e1197, (_e1197 > _e1214)) * 0.0000019073523f))) {
-                                                                phi_1892_ = type_22();
-                                                                phi_1893_ = true;
+                                                            let _e1204 = select(_e1075, _e1021, (_e1021 < _e1075));
+                                                            let _e1208 = select(_e1075, _e1021, (_e1021 > _e1075));
+                                                            let _e1212 = select(_e1088, _e1041, (_e1041 < _e1088));
+                                                            let _e1216 = select(_e1088, _e1041, (_e1041 > _e1088));
+                                                            let _e1220 = select(_e1101, _e1061, (_e1061 < _e1101));
+                                                            let _e1224 = select(_e1101, _e1061, (_e1061 > _e1101));
+                                                            let _e1229 = ((select(_e1115, _e1204, (_e1204 < _e1115)) - _e406) * _e411);
+                                                            let _e1230 = ((select(_e1115, _e1208, (_e1208 > _e1115)) - _e407) * _e411);
+                                                            let _e1233 = ((select(_e1128, _e1212, (_e1212 < _e1128)) - _e442) * _e447);
+                                                            let _e1234 = ((select(_e1128, _e1216, (_e1216 > _e1128)) - _e443) * _e447);
+                                                            let _e1237 = ((select(_e1141, _e1220, (_e1220 < _e1141)) - _e478) * _e483);
+                                                            let _e1238 = ((select(_e1141, _e1224, (_e1224 > _e1141)) - _e479) * _e483);
+                                                            let _e1240 = select(_e1238, _e1237, (_e1237 < _e1238));
+                                                            let _e1242 = select(_e1238, _e1237, (_e1237 > _e1238));
+                                                            let _e1244 = select(_e1230, _e1229, (_e1229 < _e1230));
+                                                            let _e1246 = select(_e1234, _e1233, (_e1233 < _e1234));
+                                                            let _e1248 = select(_e1246, _e1244, (_e1244 > _e1246));
+                                                            let _e1250 = select(_e1240, _e1248, (_e1248 > _e1240));
+                                                            let _e1252 = select(_e1230, _e1229, (_e1229 > _e1230));
+                                                            let _e1254 = select(_e1234, _e1233, (_e1233 > _e1234));
+                                                            let _e1256 = select(_e1254, _e1252, (_e1252 < _e1254));
+                                                            let _e1258 = select(_e1242, _e1256, (_e1256 < _e1242));
+                                                            let _e1259 = -(_e1240);
+                                                            let _e1265 = select(_e529, _e1250, (_e1250 > _e529));
+                                                            if (_e1265 > (_e1258 + (select(_e1259, _e1242, (_e1242 > _e1259)) * 0.0000019073523f))) {
+                                                                phi_1921_ = type_22();
+                                                                phi_1922_ = true;
                                                             } else {
-                                                                let _e1222 = (_e1220 > _e948.member);
-                                                                if _e1222 {
-                                                                    phi_1891_ = type_22();
+                                                                let _e1267 = (_e1265 > _e959.member);
+                                                                if _e1267 {
+                                                                    phi_1920_ = type_22();
                                                                 } else {
-                                                                    let _e1226 = (_e1084[1][0] - _e1084[0][0]);
-                                                                    let _e1227 = (_e1084[1][1] - _e1084[0][1]);
-                                                                    let _e1228 = (_e1084[1][2] - _e1084[0][2]);
-                                                                    let _e1229 = vec3<f32>(_e1226, _e1227, _e1228);
-                                                                    let _e1230 = (_e1084[2][0] - _e1084[1][0]);
-                                                                    let _e1231 = (_e1084[2][1] - _e1084[1][1]);
-                                                                    let _e1232 = (_e1084[2][2] - _e1084[1][2]);
-                                                                    let _e1233 = vec3<f32>(_e1230, _e1231, _e1232);
-                                                                    let _e1234 = (_e1084[0][0] - _e1084[2][0]);
-                                                                    let _e1235 = (_e1084[0][1] - _e1084[2][1]);
-                                                                    let _e1236 = (_e1084[0][2] - _e1084[2][2]);
-                                                                    let _e1237 = vec3<f32>(_e1234, _e1235, _e1236);
-                                                                    let _e1240 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
-                                                                    let _e1243 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
-                                                                    let _e1245 = select(_e1243, _e1240, (_e1240 > _e1243));
-                                                                    let _e1248 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
-                                                                    let _e1250 = select(_e1248, _e1245, (_e1245 > _e1248));
-                                                                    let _e1253 = bitcast<f32>((bitcast<u32>(_e1230) & 2147483647u));
-                                                                    let _e1256 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
-                                                                    let _e1258 = select(_e1256, _e1253, (_e1253 > _e1256));
-                                                                    let _e1261 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
-                                                                    let _e1263 = select(_e1261, _e1258, (_e1258 > _e1261));
-                                                                    let _e1266 = bitcast<f32>((bitcast<u32>(_e1234) & 2147483647u));
-                                                                    let _e1269 = bitcast<f32>((bitcast<u32>(_e1235) & 2147483647u));
-                                                                    let _e1271 = select(_e1269, _e1266, (_e1266 > _e1269));
-                                                                    let _e1274 = bitcast<f32>((bitcast<u32>(_e1236) & 2147483647u));
-                                                                    let _e1276 = select(_e1274, _e1271, (_e1271 > _e1274));
-                                                                    let _e1278 = select(_e1263, _e1250, (_e1250 > _e1263));
-                                                                    let _e1280 = select(_e1276, _e1278, (_e1278 > _e1276));
-                                                                    if (_e1250 == _e1280) {
-                                                                        phi_1802_ = _e1233;
-                                                                        phi_1803_ = _e1237;
+                                                                    let _e1271 = (_e1075 - _e1021);
+                                                                    let _e1272 = (_e1088 - _e1041);
+                                                                    let _e1273 = (_e1101 - _e1061);
+                                                                    let _e1274 = vec3<f32>(_e1271, _e1272, _e1273);
+                                                                    let _e1275 = (_e1115 - _e1075);
+                                                                    let _e1276 = (_e1128 - _e1088);
+                                                                    let _e1277 = (_e1141 - _e1101);
+                                                                    let _e1278 = vec3<f32>(_e1275, _e1276, _e1277);
+                                                                    let _e1279 = (_e1021 - _e1115);
+                                                                    let _e1280 = (_e1041 - _e1128);
+                                                                    let _e1281 = (_e1061 - _e1141);
+                                                                    let _e1282 = vec3<f32>(_e1279, _e1280, _e1281);
+                                                                    let _e1285 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
+                                                                    let _e1288 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
+                                                                    let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
+                                                                    let _e1293 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
+                                                                    let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
+                                                                    let _e1298 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                    let _e1301 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
+                                                                    let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
+                                                                    let _e1306 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
+                                                                    let _e1308 = select(_e1306, _e1303, (_e1303 > _e1306));
+                                                                    let _e1311 = bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u));
+                                                                    let _e1314 = bitcast<f32>((bitcast<u32>(_e1280) & 2147483647u));
+                                                                    let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
+                                                                    let _e1319 = bitcast<f32>((bitcast<u32>(_e1281) & 2147483647u));
+                                                                    let _e1321 = select(_e1319, _e1316, (_e1316 > _e1319));
+                                                                    let _e1323 = select(_e1308, _e1295, (_e1295 > _e1308));
+                                                                    let _e1325 = select(_e1321, _e1323, (_e1323 > _e1321));
+                                                                    if (_e1295 == _e1325) {
+                                                                        phi_1831_ = _e1278;
+                                                                        phi_1832_ = _e1282;
                                                                     } else {
-                                                                        let _e1283 = vec3((_e1263 == _e1280));
-                                                                        phi_1802_ = select(_e1229, _e1237, _e1283);
-                                                                        phi_1803_ = select(_e1233, _e1229, _e1283);
+                                                                        let _e1328 = vec3((_e1308 == _e1325));
+                                                                        phi_1831_ = select(_e1274, _e1282, _e1328);
+                                                                        phi_1832_ = select(_e1278, _e1274, _e1328);
                                                                     }
-                                                                    let _e1287 = phi_1802_;
-                                                                    let _e1289 = phi_1803_;
-                                                                    let _e1296 = ((_e1287.y * _e1289.z) - (_e1289.y * _e1287.z));
-                                                                    let _e1301 = ((_e1287.z * _e1289.x) - (_e1289.z * _e1287.x));
-                                                                    let _e1304 = ((_e1287.x * _e1289.y) - (_e1289.x * _e1287.y));
-                                                                    if (_e1146 >= _e1150) {
-                                                                        phi_1834_ = select(true, false, (_e1146 >= _e1154));
+                                                                    let _e1332 = phi_1831_;
+                                                                    let _e1334 = phi_1832_;
+                                                                    let _e1341 = ((_e1332.y * _e1334.z) - (_e1334.y * _e1332.z));
+                                                                    let _e1346 = ((_e1332.z * _e1334.x) - (_e1334.z * _e1332.x));
+                                                                    let _e1349 = ((_e1332.x * _e1334.y) - (_e1334.x * _e1332.y));
+                                                                    if (_e1191 >= _e1195) {
+                                                                        phi_1863_ = select(true, false, (_e1191 >= _e1199));
                                                                     } else {
-                                                                        phi_1834_ = true;
+                                                                        phi_1863_ = true;
                                                                     }
-                                                                    let _e1309 = phi_1834_;
-                                                                    if _e1309 {
-                                                                        phi_1843_ = select(vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]), vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]), vec3((_e1150 >= _e1154)));
+                                                                    let _e1354 = phi_1863_;
+                                                                    if _e1354 {
+                                                                        phi_1872_ = select(vec3<f32>(_e1115, _e1128, _e1141), vec3<f32>(_e1075, _e1088, _e1101), vec3((_e1195 >= _e1199)));
                                                                     } else {
-                                                                        phi_1843_ = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
+                                                                        phi_1872_ = vec3<f32>(_e1021, _e1041, _e1061);
                                                                     }
-                                                                    let _e1314 = phi_1843_;
-                                                                    let _e1331 = ((((_e1296 * (_e1314.x - _e398)) + (_e1301 * (_e1314.y - _e435))) + (_e1304 * (_e1314.z - _e471))) / (((_e1296 * _e423) + (_e1301 * _e459)) + (_e1304 * _e495)));
-                                                                    let _e1333 = select(_e1213, _e1331, (_e1331 < _e1213));
-                                                                    let _e1335 = select(_e1205, _e1333, (_e1333 > _e1205));
-                                                                    if (_e1335 >= _e544) {
-                                                                        let _e1337 = (_e1335 <= _e948.member);
-                                                                        if _e1337 {
-                                                                            let _e1338 = (1f / _e1156);
-                                                                            phi_1883_ = type_22(_e1335, (_e1150 * _e1338), (_e1154 * _e1338), _e986);
+                                                                    let _e1359 = phi_1872_;
+                                                                    let _e1376 = ((((_e1341 * (_e1359.x - _e383)) + (_e1346 * (_e1359.y - _e420))) + (_e1349 * (_e1359.z - _e456))) / (((_e1341 * _e408) + (_e1346 * _e444)) + (_e1349 * _e480)));
+                                                                    let _e1378 = select(_e1258, _e1376, (_e1376 < _e1258));
+                                                                    let _e1380 = select(_e1250, _e1378, (_e1378 > _e1250));
+                                                                    if (_e1380 >= _e529) {
+                                                                        let _e1382 = (_e1380 <= _e959.member);
+                                                                        if _e1382 {
+                                                                            let _e1383 = (1f / _e1201);
+                                                                            phi_1912_ = type_22(_e1380, (_e1195 * _e1383), (_e1199 * _e1383), _e987);
                                                                         } else {
-                                                                            phi_1883_ = type_22();
+                                                                            phi_1912_ = type_22();
                                                                         }
-                                                                        let _e1343 = phi_1883_;
-                                                                        phi_1885_ = _e1343;
-                                                                        phi_1886_ = select(true, false, _e1337);
+                                                                        let _e1388 = phi_1912_;
+                                                                        phi_1914_ = _e1388;
+                                                                        phi_1915_ = select(true, false, _e1382);
                                                                     } else {
-                                                                        phi_1885_ = type_22();
-                                                                        phi_1886_ = true;
+                                                                        phi_1914_ = type_22();
+                                                                        phi_1915_ = true;
                                                                     }
-                                                                    let _e1346 = phi_1885_;
-                                                                    let _e1348 = phi_1886_;
-                                                                    if _e1348 {
-                                                                        phi_1890_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1391 = phi_1914_;
+                                                                    let _e1393 = phi_1915_;
+                                                                    if _e1393 {
+                                                                        phi_1919_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_1890_ = _e1346;
+                                                                        phi_1919_ = _e1391;
                                                                     }
-                                                                    let _e1350 = phi_1890_;
-                                                                    phi_1891_ = _e1350;
+                                                                    let _e1395 = phi_1919_;
+                                                                    phi_1920_ = _e1395;
                                                                 }
-                                                                let _e1352 = phi_1891_;
-                                                                phi_1892_ = _e1352;
-                                                                phi_1893_ = _e1222;
+                                                                let _e1397 = phi_1920_;
+                                                                phi_1921_ = _e1397;
+                                                                phi_1922_ = _e1267;
                                                             }
-                                                            let _e1354 = phi_1892_;
-                                                            let _e1356 = phi_1893_;
-                                                            phi_1897_ = _e1354;
-                                                            phi_1898_ = _e1356;
+                                                            let _e1399 = phi_1921_;
+                                                            let _e1401 = phi_1922_;
+                                                            phi_1926_ = _e1399;
+                                                            phi_1927_ = _e1401;
                                                         }
-                                                        let _e1358 = phi_1897_;
-                                                        let _e1360 = phi_1898_;
-                                                        phi_1902_ = _e1358;
-                                                        phi_1903_ = _e1360;
+                                                        let _e1403 = phi_1926_;
+                                                        let _e1405 = phi_1927_;
+                                                        phi_1931_ = _e1403;
+                                                        phi_1932_ = _e1405;
                                                     } else {
-                                                        phi_1902_ = type_22();
-                                                        phi_1903_ = true;
+                                                        phi_1931_ = type_22();
+                                                        phi_1932_ = true;
                                                     }
-                                                    let _e1362 = phi_1902_;
-                                                    let _e1364 = phi_1903_;
-                                                    if _e1364 {
-                                                        phi_1907_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1407 = phi_1931_;
+                                                    let _e1409 = phi_1932_;
+                                                    if _e1409 {
+                                                        phi_1936_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1907_ = _e1362;
+                                                        phi_1936_ = _e1407;
                                                     }
-                                                    let _e1366 = phi_1907_;
-                                                    if (_e1366.member_3 != 4294967295u) {
-                                                        if (_e986 == _e161) {
-                                                            phi_2236_ = false;
+                                                    let _e1411 = phi_1936_;
+                                                    if (_e1411.member_3 != 4294967295u) {
+                                                        if (_e987 == _e146) {
+                                                            phi_2253_ = false;
                                                         } else {
-                                                            let _e1370 = (_e986 < arrayLength((&global_5.member)));
-                                                            if _e1370 {
-                                                                if _e1370 {
+                                                            let _e1415 = (_e987 < arrayLength((&global_5.member)));
+                                                            if _e1415 {
+                                                                if _e1415 {
                                                                 } else {
-                                                                    phi_3364_ = true;
+                                                                    phi_3315_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1372 = global_5.member[_e986];
-                                                                phi_1930_ = _e1372;
+                                                                let _e1417 = global_5.member[_e987];
+                                                                phi_1959_ = _e1417;
                                                             } else {
-                                                                phi_1930_ = 4294967295u;
+                                                                phi_1959_ = 4294967295u;
                                                             }
-                                                            let _e1374 = phi_1930_;
-                                                            let _e1375 = (_e1374 < arrayLength((&global_6.member)));
-                                                            if _e1375 {
-                                                                if _e1375 {
+                                                            let _e1419 = phi_1959_;
+                                                            let _e1420 = (_e1419 < arrayLength((&global_6.member)));
+                                                            if _e1420 {
+                                                                if _e1420 {
                                                                 } else {
-                                                                    phi_3364_ = true;
+                                                                    phi_3315_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1377 = global_6.member[_e1374];
-                                                                phi_1944_ = _e1377;
+                                                                let _e1422 = global_6.member[_e1419];
+                                                                phi_1973_ = _e1422;
                                                             } else {
-                                                                phi_1944_ = 0i;
+                                                                phi_1973_ = 0i;
                                                             }
-                                                            let _e1379 = phi_1944_;
-                                                            let _e1380 = (_e1379 == 0i);
-                                                            if _e1380 {
-                                                                phi_2235_ = true;
+                                                            let _e1424 = phi_1973_;
+                                                            let _e1425 = (_e1424 == 0i);
+                                                            if _e1425 {
+                                                                phi_2252_ = true;
                                                             } else {
-                                                                if _e390 {
-                                                                    phi_1965_ = vec3<f32>(_e1084[0][0], _e1084[0][1], _e1084[0][2]);
+                                                                if _e375 {
+                                                                    phi_1990_ = vec3<f32>(_e1021, _e1041, _e1061);
                                                                 } else {
-                                                                    if (_e366 == 1u) {
-                                                                        phi_1964_ = vec3<f32>(_e1084[0][2], _e1084[0][0], _e1084[0][1]);
+                                                                    if (_e351 == 1u) {
+                                                                        phi_1989_ = vec3<f32>(_e1061, _e1021, _e1041);
                                                                     } else {
-                                                                        phi_1964_ = vec3<f32>(_e1084[0][1], _e1084[0][2], _e1084[0][0]);
+                                                                        phi_1989_ = vec3<f32>(_e1041, _e1061, _e1021);
                                                                     }
-                                                                    let _e1385 = phi_1964_;
-                                                                    phi_1965_ = _e1385;
+                                                                    let _e1430 = phi_1989_;
+                                                                    phi_1990_ = _e1430;
                                                                 }
-                                                                let _e1388 = phi_1965_;
-                                                                if _e390 {
-                                                                    phi_1982_ = vec3<f32>(_e1084[1][0], _e1084[1][1], _e1084[1][2]);
+                                                                let _e1433 = phi_1990_;
+                                                                if _e375 {
+                                                                    phi_2003_ = vec3<f32>(_e1075, _e1088, _e1101);
                                                                 } else {
-                                                                    if (_e366 == 1u) {
-                                                                        phi_1981_ = vec3<f32>(_e1084[1][2], _e1084[1][0], _e1084[1][1]);
+                                                                    if (_e351 == 1u) {
+                                                                        phi_2002_ = vec3<f32>(_e1101, _e1075, _e1088);
                                                                     } else {
-                                                                        phi_1981_ = vec3<f32>(_e1084[1][1], _e1084[1][2], _e1084[1][0]);
+                                                                        phi_2002_ = vec3<f32>(_e1088, _e1101, _e1075);
                                                                     }
-                                                                    let _e1393 = phi_1981_;
-                                                                    phi_1982_ = _e1393;
+                                                                    let _e1438 = phi_2002_;
+                                                                    phi_2003_ = _e1438;
                                                                 }
-                                                                let _e1396 = phi_1982_;
-                                                                if _e390 {
-                                                                    phi_1999_ = vec3<f32>(_e1084[2][0], _e1084[2][1], _e1084[2][2]);
+                                                                let _e1441 = phi_2003_;
+                                                                if _e375 {
+                                                                    phi_2016_ = vec3<f32>(_e1115, _e1128, _e1141);
                                                                 } else {
-                                                                    if (_e366 == 1u) {
-                                                                        phi_1998_ = vec3<f32>(_e1084[2][2], _e1084[2][0], _e1084[2][1]);
+                                                                    if (_e351 == 1u) {
+                                                                        phi_2015_ = vec3<f32>(_e1141, _e1115, _e1128);
                                                                     } else {
-                                                                        phi_1998_ = vec3<f32>(_e1084[2][1], _e1084[2][2], _e1084[2][0]);
+                                                                        phi_2015_ = vec3<f32>(_e1128, _e1141, _e1115);
                                                                     }
-                                                                    let _e1401 = phi_1998_;
-                                                                    phi_1999_ = _e1401;
+                                                                    let _e1446 = phi_2015_;
+                                                                    phi_2016_ = _e1446;
                                                                 }
-                                                                let _e1404 = phi_1999_;
-                                                                let _e1407 = (_e1396.x - _e1388.x);
-                                                                let _e1410 = (_e1396.y - _e1388.y);
-                                                                let _e1413 = (_e1396.z - _e1388.z);
-                                                                let _e1415 = (_e1404.x - _e1388.x);
-                                                                let _e1417 = (_e1404.y - _e1388.y);
-                                                                let _e1419 = (_e1404.z - _e1388.z);
-                                                                if (_e233.member_1 == 1u) {
-                                                                    phi_2035_ = (vec3<f32>(_e233.member[0], _e233.member[1], _e233.member[2]) - _e1388);
+                                                                let _e1449 = phi_2016_;
+                                                                let _e1452 = (_e1441.x - _e1433.x);
+                                                                let _e1455 = (_e1441.y - _e1433.y);
+                                                                let _e1458 = (_e1441.z - _e1433.z);
+                                                                let _e1460 = (_e1449.x - _e1433.x);
+                                                                let _e1462 = (_e1449.y - _e1433.y);
+                                                                let _e1464 = (_e1449.z - _e1433.z);
+                                                                if (_e218.member_1 == 1u) {
+                                                                    phi_2052_ = (vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]) - _e1433);
                                                                 } else {
-                                                                    phi_2035_ = vec3<f32>(_e233.member[0], _e233.member[1], _e233.member[2]);
+                                                                    phi_2052_ = vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]);
                                                                 }
-                                                                let _e1434 = phi_2035_;
-                                                                let _e1440 = bitcast<f32>((bitcast<u32>((_e1407 * _e1417)) ^ _e233.member_3[0]));
-                                                                let _e1444 = bitcast<f32>((bitcast<u32>((_e1410 * _e1415)) ^ _e233.member_3[0]));
-                                                                let _e1448 = bitcast<f32>((bitcast<u32>((_e1410 * _e1419)) ^ _e233.member_3[0]));
-                                                                let _e1452 = bitcast<f32>((bitcast<u32>((_e1413 * _e1417)) ^ _e233.member_3[0]));
-                                                                let _e1456 = bitcast<f32>((bitcast<u32>((_e1413 * _e1415)) ^ _e233.member_3[0]));
-                                                                let _e1460 = bitcast<f32>((bitcast<u32>((_e1407 * _e1419)) ^ _e233.member_3[0]));
-                                                                let _e1461 = (_e1448 - _e1452);
-                                                                let _e1462 = (_e1456 - _e1460);
-                                                                let _e1463 = (_e1440 - _e1444);
-                                                                let _e1487 = (bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u)));
-                                                                let _e1494 = (bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u)));
-                                                                let _e1501 = (bitcast<f32>((bitcast<u32>(_e1440) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1444) & 2147483647u)));
-                                                                if (_e233.member_2 == 0f) {
-                                                                    phi_2217_ = 0f;
+                                                                let _e1479 = phi_2052_;
+                                                                let _e1485 = bitcast<f32>((bitcast<u32>((_e1452 * _e1462)) ^ _e218.member_3[0]));
+                                                                let _e1489 = bitcast<f32>((bitcast<u32>((_e1455 * _e1460)) ^ _e218.member_3[0]));
+                                                                let _e1493 = bitcast<f32>((bitcast<u32>((_e1455 * _e1464)) ^ _e218.member_3[0]));
+                                                                let _e1497 = bitcast<f32>((bitcast<u32>((_e1458 * _e1462)) ^ _e218.member_3[0]));
+                                                                let _e1501 = bitcast<f32>((bitcast<u32>((_e1458 * _e1460)) ^ _e218.member_3[0]));
+                                                                let _e1505 = bitcast<f32>((bitcast<u32>((_e1452 * _e1464)) ^ _e218.member_3[0]));
+                                                                let _e1506 = (_e1493 - _e1497);
+                                                                let _e1507 = (_e1501 - _e1505);
+                                                                let _e1508 = (_e1485 - _e1489);
+                                                                let _e1532 = (bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u)));
+                                                                let _e1539 = (bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u)));
+                                                                let _e1546 = (bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u)));
+                                                                if (_e218.member_2 == 0f) {
+                                                                    phi_2234_ = 0f;
                                                                 } else {
-                                                                    let _e1531 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
-                                                                    let _e1534 = bitcast<f32>((bitcast<u32>(_e1462) & 2147483647u));
-                                                                    let _e1537 = bitcast<f32>((bitcast<u32>(_e1463) & 2147483647u));
-                                                                    let _e1539 = select(_e1537, _e1534, (_e1534 > _e1537));
-                                                                    let _e1543 = select(_e1537, _e1534, (_e1534 < _e1537));
-                                                                    let _e1547 = select(_e1534, _e1531, (_e1531 < _e1534));
-                                                                    let _e1549 = select(_e1534, _e1531, (_e1531 > _e1534));
-                                                                    let _e1551 = select(_e1537, _e1549, (_e1549 < _e1537));
-                                                                    phi_2217_ = bitcast<f32>((bitcast<u32>((_e233.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1539, _e1531, (_e1531 > _e1539)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1551, _e1547, (_e1547 > _e1551)))) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1543, _e1531, (_e1531 < _e1543)))) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1487 + _e1494) + _e1501))) ^ _e233.member_3[0]))) * 1.0000005f)) ^ _e233.member_3[0])))) ^ _e233.member_3[0]));
+                                                                    let _e1576 = bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u));
+                                                                    let _e1579 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
+                                                                    let _e1582 = bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u));
+                                                                    let _e1584 = select(_e1582, _e1579, (_e1579 > _e1582));
+                                                                    let _e1588 = select(_e1582, _e1579, (_e1579 < _e1582));
+                                                                    let _e1592 = select(_e1579, _e1576, (_e1576 < _e1579));
+                                                                    let _e1594 = select(_e1579, _e1576, (_e1576 > _e1579));
+                                                                    let _e1596 = select(_e1582, _e1594, (_e1594 < _e1582));
+                                                                    phi_2234_ = bitcast<f32>((bitcast<u32>((_e218.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1584, _e1576, (_e1576 > _e1584)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1596, _e1592, (_e1592 > _e1596)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1588, _e1576, (_e1576 < _e1588)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1532 + _e1539) + _e1546))) ^ _e218.member_3[0]))) * 1.0000005f)) ^ _e218.member_3[0])))) ^ _e218.member_3[0]));
                                                                 }
-                                                                let _e1578 = phi_2217_;
-                                                                phi_2235_ = (_e1380 || !(((((bitcast<f32>((bitcast<u32>((_e1434.x * _e1461)) ^ _e233.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1434.y * _e1462)) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1434.z * _e1463)) ^ _e233.member_3[0]))) * f32(-(_e1379))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.x) & 2147483647u)) * _e1487)) ^ _e233.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.y) & 2147483647u)) * _e1494)) ^ _e233.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1434.z) & 2147483647u)) * _e1501)) ^ _e233.member_3[0]))))) ^ _e233.member_3[0])) + _e1578) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1623 = phi_2234_;
+                                                                phi_2252_ = (_e1425 || !(((((bitcast<f32>((bitcast<u32>((_e1479.x * _e1506)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1479.y * _e1507)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1479.z * _e1508)) ^ _e218.member_3[0]))) * f32(-(_e1424))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.x) & 2147483647u)) * _e1532)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.y) & 2147483647u)) * _e1539)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.z) & 2147483647u)) * _e1546)) ^ _e218.member_3[0]))))) ^ _e218.member_3[0])) + _e1623) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1592 = phi_2235_;
-                                                            phi_2236_ = _e1592;
+                                                            let _e1637 = phi_2252_;
+                                                            phi_2253_ = _e1637;
                                                         }
-                                                        let _e1594 = phi_2236_;
-                                                        if _e1594 {
-                                                            phi_2241_ = type_40(_e948.member, true);
+                                                        let _e1639 = phi_2253_;
+                                                        if _e1639 {
+                                                            phi_2258_ = type_40(_e959.member, true);
                                                         } else {
-                                                            phi_2241_ = _e948;
+                                                            phi_2258_ = _e959;
                                                         }
-                                                        let _e1599 = phi_2241_;
-                                                        phi_2242_ = _e1599;
+                                                        let _e1644 = phi_2258_;
+                                                        phi_2259_ = _e1644;
                                                     } else {
-                                                        phi_2242_ = _e948;
+                                                        phi_2259_ = _e959;
                                                     }
-                                                    let _e1601 = phi_2242_;
-                                                    phi_3365_ = _e1083;
-                                                    phi_1079_ = _e1601;
+                                                    let _e1646 = phi_2259_;
+                                                    phi_1059_ = _e1646;
                                                 } else {
-                                                    phi_3365_ = _e946;
-                                                    phi_1079_ = type_40();
+                                                    phi_1059_ = type_40();
                                                 }
-                                                let _e1603 = phi_3365_;
-                                                let _e1605 = phi_1079_;
+                                                let _e1648 = phi_1059_;
                                                 continue;
                                                 continuing {
-                                                    phi_3359_ = _e1603;
-                                                    phi_1078_ = _e1605;
-                                                    phi_1081_ = _e963;
-                                                    phi_3364_ = _e1603;
-                                                    break if !(_e969);
+                                                    phi_1058_ = _e1648;
+                                                    phi_1061_ = _e974;
+                                                    phi_3315_ = _e561;
+                                                    break if !(_e980);
                                                 }
                                             }
-                                            let _e1608 = phi_3364_;
-                                            phi_3440_ = _e1608;
-                                            if _e1608 {
+                                            let _e1651 = phi_3315_;
+                                            phi_3471_ = _e1651;
+                                            if _e1651 {
                                                 break;
                                             }
-                                            let _e1610 = local_23;
-                                            phi_3444_ = _e1608;
-                                            let _e1810 = local_25;
-                                            phi_3125_ = _e1810;
-                                            phi_3126_ = _e617;
-                                            phi_3127_ = false;
-                                            phi_3128_ = select(_e621, 0u, _e1610.member_1);
+                                            let _e1653 = local_10;
+                                            phi_3475_ = _e1651;
+                                            let _e1833 = local_12;
+                                            phi_3209_ = _e1833;
+                                            phi_3210_ = _e602;
+                                            phi_3211_ = false;
+                                            phi_3212_ = select(_e606, 0u, _e1653.member_1);
                                         } else {
-                                            local_10 = array<f32, 3>(_e617.member.member[0], _e617.member.member[1], _e617.member.member[2]);
-                                            local_9 = array<f32, 3>(_e617.member.member_1[0], _e617.member.member_1[1], _e617.member.member_1[2]);
-                                            let _e641 = (_e617.member_1 < _e101);
-                                            if _e641 {
-                                                if _e641 {
+                                            let _e616 = (_e602.member_1 < _e86);
+                                            if _e616 {
+                                                if _e616 {
                                                 } else {
-                                                    phi_3440_ = true;
+                                                    phi_3471_ = true;
                                                     break;
                                                 }
-                                                let _e643 = global_9.member[_e617.member_1];
-                                                phi_2277_ = _e643;
+                                                let _e618 = global_9.member[_e602.member_1];
+                                                phi_2279_ = _e618;
                                             } else {
-                                                phi_2277_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2279_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e645 = phi_2277_;
-                                            let _e647 = array<u32, 3>(_e366, _e365, _e367);
-                                            local_17 = _e647;
-                                            local_13 = array<f32, 3>(0f, 0f, 0f);
-                                            local_12 = array<f32, 3>(0f, 0f, 0f);
-                                            phi_2286_ = type_8(0u, 3u);
-                                            loop {
-                                                let _e649 = phi_2286_;
-                                                if (_e649.member < _e649.member_1) {
-                                                    phi_2287_ = type_8((_e649.member + 1u), _e649.member_1);
-                                                    phi_2310_ = type_8(1u, _e649.member);
+                                            let _e620 = phi_2279_;
+                                            let _e635 = ((10u * _e351) & 31u);
+                                            let _e638 = ((_e620.member[0] >> bitcast<u32>(_e635)) & 1023u);
+                                            let _e643 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[0] - _e602.member.member[0]) * 0.0009775171f)) ^ _e129));
+                                            let _e649 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e638) * _e643)) ^ _e129)));
+                                            let _e653 = select(select(_e602.member.member_1[0], _e649, (_e649 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e638 == 1023u));
+                                            let _e655 = ((10u * _e350) & 31u);
+                                            let _e658 = ((_e620.member[0] >> bitcast<u32>(_e655)) & 1023u);
+                                            let _e663 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[1] - _e602.member.member[1]) * 0.0009775171f)) ^ _e129));
+                                            let _e669 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e658) * _e663)) ^ _e129)));
+                                            let _e673 = select(select(_e602.member.member_1[1], _e669, (_e669 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e658 == 1023u));
+                                            let _e675 = ((10u * _e352) & 31u);
+                                            let _e678 = ((_e620.member[0] >> bitcast<u32>(_e675)) & 1023u);
+                                            let _e683 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[2] - _e602.member.member[2]) * 0.0009775171f)) ^ _e129));
+                                            let _e689 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e683)) ^ _e129)));
+                                            let _e693 = select(select(_e602.member.member_1[2], _e689, (_e689 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e678 == 1023u));
+                                            let _e696 = ((_e620.member[1] >> bitcast<u32>(_e635)) & 1023u);
+                                            let _e702 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e696) * _e643)) ^ _e129)));
+                                            let _e706 = select(select(_e602.member.member_1[0], _e702, (_e702 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e696 == 1023u));
+                                            let _e709 = ((_e620.member[1] >> bitcast<u32>(_e655)) & 1023u);
+                                            let _e715 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e709) * _e663)) ^ _e129)));
+                                            let _e719 = select(select(_e602.member.member_1[1], _e715, (_e715 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e709 == 1023u));
+                                            let _e722 = ((_e620.member[1] >> bitcast<u32>(_e675)) & 1023u);
+                                            let _e728 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e722) * _e683)) ^ _e129)));
+                                            let _e732 = select(select(_e602.member.member_1[2], _e728, (_e728 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e722 == 1023u));
+                                            let _e738 = ((_e620.member_1[0] >> bitcast<u32>(_e635)) & 1023u);
+                                            let _e744 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e738) * _e643)) ^ _e129)));
+                                            let _e748 = select(select(_e602.member.member_1[0], _e744, (_e744 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e738 == 1023u));
+                                            let _e751 = ((_e620.member_1[0] >> bitcast<u32>(_e655)) & 1023u);
+                                            let _e757 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e751) * _e663)) ^ _e129)));
+                                            let _e761 = select(select(_e602.member.member_1[1], _e757, (_e757 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e751 == 1023u));
+                                            let _e764 = ((_e620.member_1[0] >> bitcast<u32>(_e675)) & 1023u);
+                                            let _e770 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e764) * _e683)) ^ _e129)));
+                                            let _e774 = select(select(_e602.member.member_1[2], _e770, (_e770 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e764 == 1023u));
+                                            let _e777 = ((_e620.member_1[1] >> bitcast<u32>(_e635)) & 1023u);
+                                            let _e783 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e777) * _e643)) ^ _e129)));
+                                            let _e787 = select(select(_e602.member.member_1[0], _e783, (_e783 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e777 == 1023u));
+                                            let _e790 = ((_e620.member_1[1] >> bitcast<u32>(_e655)) & 1023u);
+                                            let _e796 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e790) * _e663)) ^ _e129)));
+                                            let _e800 = select(select(_e602.member.member_1[1], _e796, (_e796 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e790 == 1023u));
+                                            let _e803 = ((_e620.member_1[1] >> bitcast<u32>(_e675)) & 1023u);
+                                            let _e809 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e803) * _e683)) ^ _e129)));
+                                            let _e813 = select(select(_e602.member.member_1[2], _e809, (_e809 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e803 == 1023u));
+                                            let _e818 = type_62(type_54(array<f32, 3>(_e653, _e673, _e693), array<f32, 3>(_e706, _e719, _e732)), _e620.member_2);
+                                            let _e823 = type_62(type_54(array<f32, 3>(_e748, _e761, _e774), array<f32, 3>(_e787, _e800, _e813)), _e620.member_3);
+                                            let _e829 = ((_e653 - _e406) * _e411);
+                                            let _e830 = ((_e748 - _e406) * _e411);
+                                            let _e831 = ((_e706 - _e407) * _e411);
+                                            let _e832 = ((_e787 - _e407) * _e411);
+                                            let _e837 = ((_e673 - _e442) * _e447);
+                                            let _e838 = ((_e761 - _e442) * _e447);
+                                            let _e839 = ((_e719 - _e443) * _e447);
+                                            let _e840 = ((_e800 - _e443) * _e447);
+                                            let _e845 = ((_e693 - _e478) * _e483);
+                                            let _e846 = ((_e774 - _e478) * _e483);
+                                            let _e847 = ((_e732 - _e479) * _e483);
+                                            let _e848 = ((_e813 - _e479) * _e483);
+                                            let _e850 = select(_e847, _e845, (_e845 < _e847));
+                                            let _e852 = select(_e848, _e846, (_e846 < _e848));
+                                            let _e854 = select(_e847, _e845, (_e845 > _e847));
+                                            let _e856 = select(_e848, _e846, (_e846 > _e848));
+                                            let _e858 = select(_e831, _e829, (_e829 < _e831));
+                                            let _e860 = select(_e832, _e830, (_e830 < _e832));
+                                            let _e862 = select(_e839, _e837, (_e837 < _e839));
+                                            let _e864 = select(_e840, _e838, (_e838 < _e840));
+                                            let _e866 = select(_e862, _e858, (_e858 > _e862));
+                                            let _e868 = select(_e864, _e860, (_e860 > _e864));
+                                            let _e870 = select(_e850, _e866, (_e866 > _e850));
+                                            let _e872 = select(_e852, _e868, (_e868 > _e852));
+                                            let _e874 = select(_e831, _e829, (_e829 > _e831));
+                                            let _e876 = select(_e832, _e830, (_e830 > _e832));
+                                            let _e878 = select(_e839, _e837, (_e837 > _e839));
+                                            let _e880 = select(_e840, _e838, (_e838 > _e840));
+                                            let _e882 = select(_e878, _e874, (_e874 < _e878));
+                                            let _e884 = select(_e880, _e876, (_e876 < _e880));
+                                            let _e889 = -(_e850);
+                                            let _e890 = -(_e852);
+                                            let _e897 = (select(_e854, _e882, (_e882 < _e854)) + (select(_e889, _e854, (_e854 > _e889)) * 0.0000019073523f));
+                                            let _e898 = (select(_e856, _e884, (_e884 < _e856)) + (select(_e890, _e856, (_e856 > _e890)) * 0.0000019073523f));
+                                            let _e900 = select(_e529, _e870, (_e870 > _e529));
+                                            let _e902 = select(_e529, _e872, (_e872 > _e529));
+                                            let _e907 = (_e900 <= select(_e563.member, _e897, (_e897 < _e563.member)));
+                                            let _e908 = (_e902 <= select(_e563.member, _e898, (_e898 < _e563.member)));
+                                            let _e909 = (_e900 <= _e902);
+                                            if _e907 {
+                                                if _e908 {
+                                                    if _e909 {
+                                                        phi_3111_ = _e823;
+                                                    } else {
+                                                        phi_3111_ = _e818;
+                                                    }
+                                                    let _e911 = phi_3111_;
+                                                    let _e919 = (_e606 % 128u);
+                                                    let _e920 = (_e919 < 128u);
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_6[_e919] = _e911.member_1;
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e919] = _e911.member.member[0];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e919] = _e911.member.member[1];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e919] = _e911.member.member[2];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e919] = _e911.member.member_1[0];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_1[_e919] = _e911.member.member_1[1];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local[_e919] = _e911.member.member_1[2];
+                                                    if _e920 {
+                                                    } else {
+                                                        phi_3471_ = true;
+                                                        break;
+                                                    }
+                                                    local_7[_e919] = select(_e902, _e900, (_e900 > _e902));
+                                                    if _e909 {
+                                                        phi_3188_ = _e818;
+                                                    } else {
+                                                        phi_3188_ = _e823;
+                                                    }
+                                                    let _e937 = phi_3188_;
+                                                    phi_3189_ = _e937;
+                                                    phi_3190_ = (_e606 + 1u);
                                                 } else {
-                                                    phi_2287_ = _e649;
-                                                    phi_2310_ = type_8(0u, type_8().member_1);
+                                                    phi_3189_ = type_62();
+                                                    phi_3190_ = u32();
                                                 }
-                                                let _e662 = phi_2287_;
-                                                let _e664 = phi_2310_;
-                                                let _e668 = (bitcast<i32>(_e664.member) != 0i);
-                                                if _e668 {
-                                                    let _e669 = (_e664.member_1 < 3u);
-                                                    if _e669 {
-                                                    } else {
-                                                        phi_3275_ = true;
-                                                        break;
-                                                    }
-                                                    let _e671 = local_17[_e664.member_1];
-                                                    if _e669 {
-                                                    } else {
-                                                        phi_3275_ = true;
-                                                        break;
-                                                    }
-                                                    let _e673 = local_10[_e664.member_1];
-                                                    if _e669 {
-                                                    } else {
-                                                        phi_3275_ = true;
-                                                        break;
-                                                    }
-                                                    let _e675 = local_9[_e664.member_1];
-                                                    let _e678 = ((10u * _e671) & 31u);
-                                                    let _e681 = ((_e645.member[0] >> bitcast<u32>(_e678)) & 1023u);
-                                                    let _e686 = bitcast<f32>((bitcast<u32>(((_e675 - _e673) * 0.0009775171f)) ^ _e144));
-                                                    let _e692 = (_e673 + bitcast<f32>((bitcast<u32>((f32(_e681) * _e686)) ^ _e144)));
-                                                    if _e669 {
-                                                    } else {
-                                                        phi_3275_ = true;
-                                                        break;
-                                                    }
-                                                    local_13[_e664.member_1] = select(select(_e675, _e692, (_e692 < _e675)), _e675, (_e681 == 1023u));
-                                                    let _e701 = ((_e645.member[1] >> bitcast<u32>(_e678)) & 1023u);
-                                                    let _e707 = (_e673 + bitcast<f32>((bitcast<u32>((f32(_e701) * _e686)) ^ _e144)));
-                                                    if _e669 {
-                                                    } else {
-                                                        phi_3275_ = true;
-                                                        break;
-                                                    }
-                                                    local_12[_e664.member_1] = select(select(_e675, _e707, (_e707 < _e675)), _e675, (_e701 == 1023u));
-                                                }
-                                                continue;
-                                                continuing {
-                                                    phi_2286_ = _e662;
-                                                    phi_3275_ = _e576;
-                                                    break if !(_e668);
-                                                }
-                                            }
-                                            let _e715 = phi_3275_;
-                                            phi_3440_ = _e715;
-                                            if _e715 {
-                                                break;
-                                            }
-                                            let _e716 = local_12;
-                                            let _e717 = local_13;
-                                            local_16 = _e647;
-                                            local_15 = array<f32, 3>(0f, 0f, 0f);
-                                            local_14 = array<f32, 3>(0f, 0f, 0f);
-                                            phi_2440_ = type_8(0u, 3u);
-                                            loop {
-                                                let _e726 = phi_2440_;
-                                                if (_e726.member < _e726.member_1) {
-                                                    phi_2441_ = type_8((_e726.member + 1u), _e726.member_1);
-                                                    phi_2464_ = type_8(1u, _e726.member);
-                                                } else {
-                                                    phi_2441_ = _e726;
-                                                    phi_2464_ = type_8(0u, type_8().member_1);
-                                                }
-                                                let _e739 = phi_2441_;
-                                                let _e741 = phi_2464_;
-                                                let _e745 = (bitcast<i32>(_e741.member) != 0i);
-                                                if _e745 {
-                                                    let _e746 = (_e741.member_1 < 3u);
-                                                    if _e746 {
-                                                    } else {
-                                                        phi_3342_ = true;
-                                                        break;
-                                                    }
-                                                    let _e748 = local_16[_e741.member_1];
-                                                    if _e746 {
-                                                    } else {
-                                                        phi_3342_ = true;
-                                                        break;
-                                                    }
-                                                    let _e750 = local_10[_e741.member_1];
-                                                    if _e746 {
-                                                    } else {
-                                                        phi_3342_ = true;
-                                                        break;
-                                                    }
-                                                    let _e752 = local_9[_e741.member_1];
-                                                    let _e755 = ((10u * _e748) & 31u);
-                                                    let _e758 = ((_e645.member_1[0] >> bitcast<u32>(_e755)) & 1023u);
-                                                    let _e763 = bitcast<f32>((bitcast<u32>(((_e752 - _e750) * 0.0009775171f)) ^ _e144));
-                                                    let _e769 = (_e750 + bitcast<f32>((bitcast<u32>((f32(_e758) * _e763)) ^ _e144)));
-                                                    if _e746 {
-                                                    } else {
-                                                        phi_3342_ = true;
-                                                        break;
-                                                    }
-                                                    local_15[_e741.member_1] = select(select(_e752, _e769, (_e769 < _e752)), _e752, (_e758 == 1023u));
-                                                    let _e778 = ((_e645.member_1[1] >> bitcast<u32>(_e755)) & 1023u);
-                                                    let _e784 = (_e750 + bitcast<f32>((bitcast<u32>((f32(_e778) * _e763)) ^ _e144)));
-                                                    if _e746 {
-                                                    } else {
-                                                        phi_3342_ = true;
-                                                        break;
-                                                    }
-                                                    local_14[_e741.member_1] = select(select(_e752, _e784, (_e784 < _e752)), _e752, (_e778 == 1023u));
-                                                }
-                                                continue;
-                                                continuing {
-                                                    phi_2440_ = _e739;
-                                                    phi_3342_ = _e715;
-                                                    break if !(_e745);
-                                                }
-                                            }
-                                            let _e792 = phi_3342_;
-                                            phi_3440_ = _e792;
-                                            if _e792 {
-                                                break;
-                                            }
-                                            let _e793 = local_14;
-                                            let _e794 = local_15;
-                                            let _e805 = type_63(type_55(array<f32, 3>(_e717[0], _e717[1], _e717[2]), array<f32, 3>(_e716[0], _e716[1], _e716[2])), _e645.member_2);
-                                            let _e810 = type_63(type_55(array<f32, 3>(_e794[0], _e794[1], _e794[2]), array<f32, 3>(_e793[0], _e793[1], _e793[2])), _e645.member_3);
-                                            let _e816 = ((_e717[0] - _e421) * _e426);
-                                            let _e817 = ((_e794[0] - _e421) * _e426);
-                                            let _e818 = ((_e716[0] - _e422) * _e426);
-                                            let _e819 = ((_e793[0] - _e422) * _e426);
-                                            let _e824 = ((_e717[1] - _e457) * _e462);
-                                            let _e825 = ((_e794[1] - _e457) * _e462);
-                                            let _e826 = ((_e716[1] - _e458) * _e462);
-                                            let _e827 = ((_e793[1] - _e458) * _e462);
-                                            let _e832 = ((_e717[2] - _e493) * _e498);
-                                            let _e833 = ((_e794[2] - _e493) * _e498);
-                                            let _e834 = ((_e716[2] - _e494) * _e498);
-                                            let _e835 = ((_e793[2] - _e494) * _e498);
-                                            let _e837 = select(_e834, _e832, (_e832 < _e834));
-                                            let _e839 = select(_e835, _e833, (_e833 < _e835));
-                                            let _e841 = select(_e834, _e832, (_e832 > _e834));
-                                            let _e843 = select(_e835, _e833, (_e833 > _e835));
-                                            let _e845 = select(_e818, _e816, (_e816 < _e818));
-                                            let _e847 = select(_e819, _e817, (_e817 < _e819));
-                                            let _e849 = select(_e826, _e824, (_e824 < _e826));
-                                            let _e851 = select(_e827, _e825, (_e825 < _e827));
-                                            let _e853 = select(_e849, _e845, (_e845 > _e849));
-                                            let _e855 = select(_e851, _e847, (_e847 > _e851));
-                                            let _e857 = select(_e837, _e853, (_e853 > _e837));
-                                            let _e859 = select(_e839, _e855, (_e855 > _e839));
-                                            let _e861 = select(_e818, _e816, (_e816 > _e818));
-                                            let _e863 = select(_e819, _e817, (_e817 > _e819));
-                                            let _e865 = select(_e826, _e824, (_e824 > _e826));
-                                            let _e867 = select(_e827, _e825, (_e825 > _e827));
-                                            let _e869 = select(_e865, _e861, (_e861 < _e865));
-                                            let _e871 = select(_e867, _e863, (_e863 < _e867));
-                                            let _e876 = -(_e837);
-                                            let _e877 = -(_e839);
-                                            let _e884 = (select(_e841, _e869, (_e869 < _e841)) + (select(_e876, _e841, (_e841 > _e876)) * 0.0000019073523f));
-                                            let _e885 = (select(_e843, _e871, (_e871 < _e843)) + (select(_e877, _e843, (_e843 > _e877)) * 0.0000019073523f));
-                                            let _e887 = select(_e544, _e857, (_e857 > _e544));
-                                            let _e889 = select(_e544, _e859, (_e859 > _e544));
-                                            let _e894 = (_e887 <= select(_e578.member, _e884, (_e884 < _e578.member)));
-                                            let _e895 = (_e889 <= select(_e578.member, _e885, (_e885 < _e578.member)));
-                                            let _e896 = (_e887 <= _e889);
-                                            if _e894 {
-                                                if _e895 {
-                                                    if _e896 {
-                                                        phi_3027_ = _e810;
-                                                    } else {
-                                                        phi_3027_ = _e805;
-                                                    }
-                                                    let _e898 = phi_3027_;
-                                                    let _e906 = (_e621 % 128u);
-                                                    let _e907 = (_e906 < 128u);
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_6[_e906] = _e898.member_1;
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_5[_e906] = _e898.member.member[0];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_4[_e906] = _e898.member.member[1];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_3[_e906] = _e898.member.member[2];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_2[_e906] = _e898.member.member_1[0];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_1[_e906] = _e898.member.member_1[1];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local[_e906] = _e898.member.member_1[2];
-                                                    if _e907 {
-                                                    } else {
-                                                        phi_3440_ = true;
-                                                        break;
-                                                    }
-                                                    local_11[_e906] = select(_e889, _e887, (_e887 > _e889));
-                                                    if _e896 {
-                                                        phi_3104_ = _e805;
-                                                    } else {
-                                                        phi_3104_ = _e810;
-                                                    }
-                                                    let _e924 = phi_3104_;
-                                                    phi_3105_ = _e924;
-                                                    phi_3106_ = (_e621 + 1u);
-                                                } else {
-                                                    phi_3105_ = type_63();
-                                                    phi_3106_ = u32();
-                                                }
-                                                let _e926 = phi_3105_;
-                                                let _e928 = phi_3106_;
-                                                phi_3108_ = _e926;
-                                                phi_3109_ = _e928;
-                                                phi_3110_ = select(true, false, _e895);
+                                                let _e939 = phi_3189_;
+                                                let _e941 = phi_3190_;
+                                                phi_3192_ = _e939;
+                                                phi_3193_ = _e941;
+                                                phi_3194_ = select(true, false, _e908);
                                             } else {
-                                                phi_3108_ = type_63();
-                                                phi_3109_ = u32();
-                                                phi_3110_ = true;
+                                                phi_3192_ = type_62();
+                                                phi_3193_ = u32();
+                                                phi_3194_ = true;
                                             }
-                                            let _e931 = phi_3108_;
-                                            let _e933 = phi_3109_;
-                                            let _e935 = phi_3110_;
-                                            if _e935 {
-                                                if _e894 {
-                                                    phi_3117_ = _e805;
+                                            let _e944 = phi_3192_;
+                                            let _e946 = phi_3193_;
+                                            let _e948 = phi_3194_;
+                                            if _e948 {
+                                                if _e907 {
+                                                    phi_3201_ = _e818;
                                                 } else {
-                                                    phi_3117_ = _e810;
+                                                    phi_3201_ = _e823;
                                                 }
-                                                let _e937 = phi_3117_;
-                                                phi_3122_ = _e937;
-                                                phi_3123_ = select(_e895, true, _e894);
+                                                let _e950 = phi_3201_;
+                                                phi_3206_ = _e950;
+                                                phi_3207_ = select(_e908, true, _e907);
                                             } else {
-                                                phi_3122_ = _e931;
-                                                phi_3123_ = _e619;
+                                                phi_3206_ = _e944;
+                                                phi_3207_ = _e604;
                                             }
-                                            let _e940 = phi_3122_;
-                                            let _e942 = phi_3123_;
-                                            phi_3444_ = _e792;
-                                            phi_3125_ = _e578;
-                                            phi_3126_ = _e940;
-                                            phi_3127_ = _e942;
-                                            phi_3128_ = select(_e933, _e621, _e935);
+                                            let _e953 = phi_3206_;
+                                            let _e955 = phi_3207_;
+                                            phi_3475_ = _e561;
+                                            phi_3209_ = _e563;
+                                            phi_3210_ = _e953;
+                                            phi_3211_ = _e955;
+                                            phi_3212_ = select(_e946, _e606, _e948);
                                         }
-                                        let _e1614 = phi_3444_;
-                                        let _e1616 = phi_3125_;
-                                        let _e1618 = phi_3126_;
-                                        let _e1620 = phi_3127_;
-                                        let _e1622 = phi_3128_;
-                                        phi_3443_ = _e1614;
-                                        phi_3129_ = _e1616;
-                                        phi_3130_ = _e1618;
-                                        phi_3131_ = (_e582 - 1u);
-                                        phi_3132_ = _e1620;
-                                        phi_3133_ = _e1622;
+                                        let _e1657 = phi_3475_;
+                                        let _e1659 = phi_3209_;
+                                        let _e1661 = phi_3210_;
+                                        let _e1663 = phi_3211_;
+                                        let _e1665 = phi_3212_;
+                                        phi_3474_ = _e1657;
+                                        phi_3213_ = _e1659;
+                                        phi_3214_ = _e1661;
+                                        phi_3215_ = (_e567 - 1u);
+                                        phi_3216_ = _e1663;
+                                        phi_3217_ = _e1665;
                                     } else {
-                                        phi_3443_ = _e576;
-                                        phi_3129_ = _e578;
-                                        phi_3130_ = _e617;
-                                        phi_3131_ = _e582;
-                                        phi_3132_ = _e619;
-                                        phi_3133_ = _e621;
+                                        phi_3474_ = _e561;
+                                        phi_3213_ = _e563;
+                                        phi_3214_ = _e602;
+                                        phi_3215_ = _e567;
+                                        phi_3216_ = _e604;
+                                        phi_3217_ = _e606;
                                     }
-                                    let _e1624 = phi_3443_;
-                                    let _e1626 = phi_3129_;
-                                    let _e1628 = phi_3130_;
-                                    let _e1630 = phi_3131_;
-                                    let _e1632 = phi_3132_;
-                                    let _e1634 = phi_3133_;
-                                    phi_3442_ = _e1624;
-                                    phi_3134_ = _e1626;
-                                    phi_3135_ = _e1628;
-                                    phi_3136_ = _e1630;
-                                    phi_3137_ = _e1632;
-                                    phi_3138_ = _e1634;
+                                    let _e1667 = phi_3474_;
+                                    let _e1669 = phi_3213_;
+                                    let _e1671 = phi_3214_;
+                                    let _e1673 = phi_3215_;
+                                    let _e1675 = phi_3216_;
+                                    let _e1677 = phi_3217_;
+                                    phi_3473_ = _e1667;
+                                    phi_3218_ = _e1669;
+                                    phi_3219_ = _e1671;
+                                    phi_3220_ = _e1673;
+                                    phi_3221_ = _e1675;
+                                    phi_3222_ = _e1677;
                                 } else {
-                                    phi_3442_ = _e576;
-                                    phi_3134_ = type_40();
-                                    phi_3135_ = type_63();
-                                    phi_3136_ = u32();
-                                    phi_3137_ = bool();
-                                    phi_3138_ = u32();
+                                    phi_3473_ = _e561;
+                                    phi_3218_ = type_40();
+                                    phi_3219_ = type_62();
+                                    phi_3220_ = u32();
+                                    phi_3221_ = bool();
+                                    phi_3222_ = u32();
                                 }
-                                let _e1636 = phi_3442_;
-                                let _e1638 = phi_3134_;
-                                let _e1640 = phi_3135_;
-                                let _e1642 = phi_3136_;
-                                let _e1644 = phi_3137_;
-                                let _e1646 = phi_3138_;
-                                phi_3441_ = _e1636;
-                                phi_952_ = _e1638;
-                                phi_955_ = _e1640;
-                                phi_957_ = _e1642;
-                                phi_959_ = _e1644;
-                                phi_961_ = _e1646;
-                                phi_3139_ = _e590;
+                                let _e1679 = phi_3473_;
+                                let _e1681 = phi_3218_;
+                                let _e1683 = phi_3219_;
+                                let _e1685 = phi_3220_;
+                                let _e1687 = phi_3221_;
+                                let _e1689 = phi_3222_;
+                                phi_3472_ = _e1679;
+                                phi_932_ = _e1681;
+                                phi_935_ = _e1683;
+                                phi_937_ = _e1685;
+                                phi_939_ = _e1687;
+                                phi_941_ = _e1689;
+                                phi_3223_ = _e575;
                             } else {
-                                phi_3441_ = _e576;
-                                phi_952_ = type_40();
-                                phi_955_ = type_63();
-                                phi_957_ = u32();
-                                phi_959_ = bool();
-                                phi_961_ = u32();
-                                phi_3139_ = false;
+                                phi_3472_ = _e561;
+                                phi_932_ = type_40();
+                                phi_935_ = type_62();
+                                phi_937_ = u32();
+                                phi_939_ = bool();
+                                phi_941_ = u32();
+                                phi_3223_ = false;
                             }
-                            let _e1648 = phi_3441_;
-                            let _e1650 = phi_952_;
-                            let _e1652 = phi_955_;
-                            let _e1654 = phi_957_;
-                            let _e1656 = phi_959_;
-                            let _e1658 = phi_961_;
-                            let _e1660 = phi_3139_;
+                            let _e1691 = phi_3472_;
+                            let _e1693 = phi_932_;
+                            let _e1695 = phi_935_;
+                            let _e1697 = phi_937_;
+                            let _e1699 = phi_939_;
+                            let _e1701 = phi_941_;
+                            let _e1703 = phi_3223_;
                             continue;
                             continuing {
-                                phi_3282_ = _e1648;
-                                phi_951_ = _e1650;
-                                phi_954_ = _e1652;
-                                phi_956_ = _e1654;
-                                phi_958_ = _e1656;
-                                phi_960_ = _e1658;
-                                phi_3440_ = _e1648;
-                                break if !(_e1660);
+                                phi_3321_ = _e1691;
+                                phi_931_ = _e1693;
+                                phi_934_ = _e1695;
+                                phi_936_ = _e1697;
+                                phi_938_ = _e1699;
+                                phi_940_ = _e1701;
+                                phi_3471_ = _e1691;
+                                break if !(_e1703);
                             }
                         }
-                        let _e1663 = phi_3440_;
-                        if _e1663 {
+                        let _e1706 = phi_3471_;
+                        if _e1706 {
                             break;
                         }
-                        let _e1665 = local_24;
-                        if _e1665.member_1 {
+                        let _e1708 = local_11;
+                        if _e1708.member_1 {
                         } else {
-                            if _e234 {
+                            if _e219 {
                             } else {
                                 break;
                             }
-                            let _e1669 = global_2.member[_e148];
-                            if _e155 {
+                            let _e1712 = global_2.member[_e133];
+                            if _e140 {
                             } else {
                                 break;
                             }
-                            let _e1673 = global_8.member[_e148].member_1;
-                            if _e234 {
+                            let _e1716 = global_8.member[_e133].member_1;
+                            if _e219 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e148] = type_24(_e1669.member, _e1669.member_1, _e1669.member_2, array<f32, 3>((_e1669.member_3[0] + (_e1673[0] * _e1669.member_1[0])), (_e1669.member_3[1] + (_e1673[1] * _e1669.member_1[1])), (_e1669.member_3[2] + (_e1673[2] * _e1669.member_1[2]))), _e1669.member_4);
+                            global_2.member[_e133] = type_24(_e1712.member, _e1712.member_1, _e1712.member_2, array<f32, 3>((_e1712.member_3[0] + (_e1716[0] * _e1712.member_1[0])), (_e1712.member_3[1] + (_e1716[1] * _e1712.member_1[1])), (_e1712.member_3[2] + (_e1716[2] * _e1712.member_1[2]))), _e1712.member_4);
                         }
                     }
                 }

@@ -56,7 +56,7 @@ struct type_37 {
     member: array<type_35>,
 }
 
-struct type_41 {
+struct type_40 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
@@ -76,18 +76,18 @@ struct type_51 {
     member: array<i32>,
 }
 
-struct type_61 {
+struct type_58 {
     member: type_34,
     member_1: u32,
 }
 
-struct type_62 {
+struct type_59 {
     member: array<vec4<f32>, 3>,
-    member_1: type_61,
-    member_2: type_61,
+    member_1: type_58,
+    member_2: type_58,
 }
 
-struct type_69 {
+struct type_64 {
     member: array<atomic<u32>>,
 }
 
@@ -107,7 +107,7 @@ var<storage> global_6: type_4;
 @group(0) @binding(6) 
 var<storage> global_7: type_51;
 @group(0) @binding(9) 
-var<storage, read_write> global_8: type_69;
+var<storage, read_write> global_8: type_64;
 @group(0) @binding(7) 
 var<storage> global_9: type_37;
 @group(0) @binding(4) 
@@ -124,471 +124,477 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var local_10: array<u32, 3>;
-    var local_11: array<array<f32, 3>, 3>;
-    var local_12: array<f32, 4>;
-    var phi_341_: u32;
-    var phi_385_: i32;
-    var phi_409_: type_41;
-    var phi_559_: i32;
-    var phi_560_: i32;
+    var phi_328_: u32;
+    var phi_372_: i32;
+    var phi_396_: type_40;
+    var phi_546_: i32;
+    var phi_547_: i32;
+    var phi_557_: bool;
+    var phi_567_: u32;
+    var phi_568_: u32;
     var phi_570_: bool;
-    var phi_580_: u32;
-    var phi_581_: u32;
-    var phi_583_: bool;
-    var phi_588_: u32;
-    var phi_621_: i32;
-    var phi_639_: f32;
-    var phi_645_: f32;
-    var phi_656_: f32;
-    var phi_662_: f32;
-    var phi_685_: f32;
-    var phi_696_: f32;
-    var phi_705_: f32;
-    var phi_711_: f32;
-    var phi_722_: f32;
-    var phi_728_: f32;
-    var phi_751_: f32;
-    var phi_762_: f32;
-    var phi_771_: f32;
-    var phi_777_: f32;
-    var phi_788_: f32;
-    var phi_794_: f32;
-    var phi_817_: f32;
-    var phi_828_: f32;
-    var phi_928_: f32;
-    var phi_929_: f32;
-    var phi_3940_: bool;
-    var phi_1018_: type_46;
-    var phi_1021_: type_61;
-    var phi_1023_: u32;
-    var phi_1025_: bool;
-    var phi_1027_: u32;
-    var phi_1038_: bool;
-    var phi_1124_: type_61;
-    var phi_1125_: bool;
-    var phi_1126_: u32;
-    var phi_2910_: u32;
-    var phi_2916_: u32;
-    var phi_3170_: u32;
-    var phi_3171_: u32;
-    var phi_3181_: u32;
-    var phi_3183_: u32;
-    var phi_3184_: bool;
-    var phi_3204_: u32;
-    var phi_3205_: u32;
-    var phi_3209_: type_62;
-    var phi_3553_: type_61;
-    var phi_3630_: type_61;
-    var phi_3631_: type_61;
-    var phi_3632_: u32;
-    var phi_3634_: type_61;
-    var phi_3635_: u32;
-    var phi_3636_: bool;
-    var phi_3645_: type_61;
-    var phi_3650_: type_61;
-    var phi_3651_: bool;
-    var phi_3937_: bool;
-    var phi_1145_: type_46;
-    var phi_1148_: type_8;
-    var phi_1149_: type_8;
-    var phi_1171_: type_8;
-    var phi_1212_: u32;
-    var phi_1218_: u32;
-    var phi_1228_: u32;
-    var phi_1244_: u32;
-    var phi_1281_: u32;
-    var phi_1287_: u32;
-    var phi_1297_: u32;
-    var phi_3922_: bool;
-    var phi_1313_: type_8;
-    var phi_1314_: type_8;
-    var phi_1337_: type_8;
-    var phi_1360_: u32;
-    var phi_1375_: u32;
-    var phi_1378_: type_8;
-    var phi_1379_: type_8;
-    var phi_1402_: type_8;
-    var phi_1468_: u32;
-    var phi_1448_: u32;
-    var phi_1449_: u32;
-    var phi_1472_: f32;
-    var phi_3915_: bool;
-    var phi_4001_: bool;
+    var phi_575_: u32;
+    var phi_607_: i32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_642_: f32;
+    var phi_648_: f32;
+    var phi_671_: f32;
+    var phi_682_: f32;
+    var phi_691_: f32;
+    var phi_697_: f32;
+    var phi_708_: f32;
+    var phi_714_: f32;
+    var phi_737_: f32;
+    var phi_748_: f32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_774_: f32;
+    var phi_780_: f32;
+    var phi_803_: f32;
+    var phi_814_: f32;
+    var phi_914_: f32;
+    var phi_915_: f32;
+    var phi_4266_: bool;
+    var phi_1004_: type_46;
+    var phi_1007_: type_58;
+    var phi_1009_: u32;
+    var phi_1011_: bool;
+    var phi_1013_: u32;
+    var phi_1024_: bool;
+    var phi_1110_: type_58;
+    var phi_1111_: bool;
+    var phi_1112_: u32;
+    var phi_3259_: u32;
+    var phi_3265_: u32;
+    var phi_3519_: u32;
+    var phi_3520_: u32;
+    var phi_3530_: u32;
+    var phi_3532_: u32;
+    var phi_3533_: bool;
+    var phi_3553_: u32;
+    var phi_3554_: u32;
+    var phi_3558_: type_59;
+    var phi_3902_: type_58;
+    var phi_3979_: type_58;
+    var phi_3980_: type_58;
+    var phi_3981_: u32;
+    var phi_3983_: type_58;
+    var phi_3984_: u32;
+    var phi_3985_: bool;
+    var phi_3994_: type_58;
+    var phi_3999_: type_58;
     var phi_4000_: bool;
-    var phi_1972_: vec3<f32>;
-    var phi_1973_: vec3<f32>;
-    var phi_2004_: bool;
-    var phi_2013_: vec3<f32>;
-    var phi_2053_: type_25;
-    var phi_2055_: type_25;
-    var phi_2056_: bool;
-    var phi_2060_: type_25;
-    var phi_2061_: type_25;
-    var phi_2062_: type_25;
-    var phi_2063_: bool;
-    var phi_2067_: type_25;
-    var phi_2068_: bool;
-    var phi_2072_: type_25;
-    var phi_2073_: bool;
-    var phi_2077_: type_25;
-    var phi_2100_: u32;
-    var phi_2114_: i32;
-    var phi_2134_: vec3<f32>;
-    var phi_2135_: vec3<f32>;
-    var phi_2151_: vec3<f32>;
-    var phi_2152_: vec3<f32>;
-    var phi_2168_: vec3<f32>;
-    var phi_2169_: vec3<f32>;
-    var phi_2205_: vec3<f32>;
-    var phi_2387_: f32;
+    var phi_1131_: type_46;
+    var phi_1134_: type_8;
+    var phi_1135_: type_8;
+    var phi_1157_: type_8;
+    var phi_1198_: u32;
+    var phi_1204_: u32;
+    var phi_1214_: u32;
+    var phi_1230_: u32;
+    var phi_1263_: u32;
+    var phi_1269_: u32;
+    var phi_1696_: u32;
+    var phi_1714_: u32;
+    var phi_1732_: u32;
+    var phi_1752_: u32;
+    var phi_1770_: u32;
+    var phi_1788_: u32;
+    var phi_1808_: u32;
+    var phi_1826_: u32;
+    var phi_1844_: u32;
+    var phi_1422_: u32;
+    var phi_1437_: u32;
+    var phi_1447_: u32;
+    var phi_1467_: u32;
+    var phi_1487_: u32;
+    var phi_1513_: u32;
+    var phi_1528_: u32;
+    var phi_1538_: u32;
+    var phi_1558_: u32;
+    var phi_1578_: u32;
+    var phi_1604_: u32;
+    var phi_1619_: u32;
+    var phi_1629_: u32;
+    var phi_1649_: u32;
+    var phi_1669_: u32;
+    var phi_1293_: u32;
+    var phi_1336_: u32;
+    var phi_1379_: u32;
+    var phi_1850_: array<array<f32, 3>, 3>;
+    var phi_2321_: vec3<f32>;
+    var phi_2322_: vec3<f32>;
+    var phi_2353_: bool;
+    var phi_2362_: vec3<f32>;
+    var phi_2402_: type_25;
+    var phi_2404_: type_25;
     var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2411_: type_46;
-    var phi_2412_: type_46;
-    var phi_4003_: bool;
-    var phi_1146_: type_46;
-    var phi_4002_: bool;
-    var local_13: type_46;
-    var phi_4082_: bool;
-    var phi_3653_: type_46;
-    var phi_3654_: type_61;
-    var phi_3655_: bool;
-    var phi_3656_: u32;
-    var phi_4081_: bool;
-    var phi_3657_: type_46;
-    var phi_3658_: type_61;
-    var phi_3659_: u32;
-    var phi_3660_: bool;
-    var phi_3661_: u32;
-    var phi_4080_: bool;
-    var phi_3662_: type_46;
-    var phi_3663_: type_61;
-    var phi_3664_: u32;
-    var phi_3665_: bool;
-    var phi_3666_: u32;
-    var phi_4079_: bool;
-    var phi_1019_: type_46;
-    var phi_1022_: type_61;
-    var phi_1024_: u32;
-    var phi_1026_: bool;
-    var phi_1028_: u32;
-    var phi_3667_: bool;
-    var phi_4078_: bool;
-    var local_14: type_46;
-    var local_15: type_46;
+    var phi_2409_: type_25;
+    var phi_2410_: type_25;
+    var phi_2411_: type_25;
+    var phi_2412_: bool;
+    var phi_2416_: type_25;
+    var phi_2417_: bool;
+    var phi_2421_: type_25;
+    var phi_2422_: bool;
+    var phi_2426_: type_25;
+    var phi_2449_: u32;
+    var phi_2463_: i32;
+    var phi_2483_: vec3<f32>;
+    var phi_2484_: vec3<f32>;
+    var phi_2500_: vec3<f32>;
+    var phi_2501_: vec3<f32>;
+    var phi_2517_: vec3<f32>;
+    var phi_2518_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2736_: f32;
+    var phi_2754_: bool;
+    var phi_2755_: bool;
+    var phi_2760_: type_46;
+    var phi_2761_: type_46;
+    var phi_1132_: type_46;
+    var phi_4260_: bool;
+    var local_10: type_46;
+    var phi_4449_: bool;
+    var phi_4002_: type_46;
+    var phi_4003_: type_58;
+    var phi_4004_: bool;
+    var phi_4005_: u32;
+    var phi_4448_: bool;
+    var phi_4006_: type_46;
+    var phi_4007_: type_58;
+    var phi_4008_: u32;
+    var phi_4009_: bool;
+    var phi_4010_: u32;
+    var phi_4447_: bool;
+    var phi_4011_: type_46;
+    var phi_4012_: type_58;
+    var phi_4013_: u32;
+    var phi_4014_: bool;
+    var phi_4015_: u32;
+    var phi_4446_: bool;
+    var phi_1005_: type_46;
+    var phi_1008_: type_58;
+    var phi_1010_: u32;
+    var phi_1012_: bool;
+    var phi_1014_: u32;
+    var phi_4016_: bool;
+    var phi_4445_: bool;
+    var local_11: type_46;
+    var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e102 = global;
-            let _e104 = arrayLength((&global_5.member));
-            let _e107 = arrayLength((&global_10.member));
-            let _e119 = arrayLength((&global_8.member));
-            let _e123 = global_4.member[0u][0u];
-            let _e127 = global_4.member[0u][1u];
-            let _e131 = global_4.member[0u][2u];
-            let _e135 = global_4.member[0u][3u];
-            let _e139 = global_4.member[1u][0u];
-            let _e143 = global_4.member[1u][1u];
-            let _e147 = global_4.member[1u][2u];
-            let _e151 = (_e102.x + (_e102.y * 2097152u));
-            let _e163 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e135) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e123), bitcast<i32>(_e127), bitcast<i32>(_e131));
-            local = array<i32, 3>(bitcast<i32>(_e139), bitcast<i32>(_e143), bitcast<i32>(_e147));
-            let _e166 = (_e151 < arrayLength((&global_9.member)));
-            if _e166 {
-                if _e166 {
+            let _e98 = global;
+            let _e100 = arrayLength((&global_5.member));
+            let _e103 = arrayLength((&global_10.member));
+            let _e115 = arrayLength((&global_8.member));
+            let _e119 = global_4.member[0u][0u];
+            let _e123 = global_4.member[0u][1u];
+            let _e127 = global_4.member[0u][2u];
+            let _e131 = global_4.member[0u][3u];
+            let _e135 = global_4.member[1u][0u];
+            let _e139 = global_4.member[1u][1u];
+            let _e143 = global_4.member[1u][2u];
+            let _e147 = (_e98.x + (_e98.y * 2097152u));
+            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
+            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
+            let _e162 = (_e147 < arrayLength((&global_9.member)));
+            if _e162 {
+                if _e162 {
                 } else {
                     break;
                 }
-                let _e170 = global_9.member[_e151].member_2;
-                phi_341_ = _e170;
+                let _e166 = global_9.member[_e147].member_2;
+                phi_328_ = _e166;
             } else {
-                phi_341_ = 4294967295u;
+                phi_328_ = 4294967295u;
             }
-            let _e172 = phi_341_;
-            let _e175 = global_1.member[0u];
-            let _e179 = global_3.member[0u][0u];
-            let _e183 = global_3.member[0u][1u];
-            let _e187 = global_3.member[0u][2u];
-            let _e191 = global_3.member[0u][3u];
-            let _e195 = global_3.member[1u][0u];
-            let _e199 = global_3.member[1u][1u];
-            let _e203 = global_3.member[1u][2u];
-            let _e207 = global_3.member[1u][3u];
-            let _e208 = bitcast<f32>(_e179);
-            let _e209 = bitcast<f32>(_e183);
-            let _e210 = bitcast<f32>(_e187);
-            let _e212 = bitcast<f32>(_e195);
-            let _e213 = array<u32, 3>(_e199, _e203, _e207);
-            let _e215 = bitcast<i32>(_e175);
-            if (_e215 < -126i) {
-                phi_385_ = -126i;
+            let _e168 = phi_328_;
+            let _e171 = global_1.member[0u];
+            let _e175 = global_3.member[0u][0u];
+            let _e179 = global_3.member[0u][1u];
+            let _e183 = global_3.member[0u][2u];
+            let _e187 = global_3.member[0u][3u];
+            let _e191 = global_3.member[1u][0u];
+            let _e195 = global_3.member[1u][1u];
+            let _e199 = global_3.member[1u][2u];
+            let _e203 = global_3.member[1u][3u];
+            let _e204 = bitcast<f32>(_e175);
+            let _e205 = bitcast<f32>(_e179);
+            let _e206 = bitcast<f32>(_e183);
+            let _e208 = bitcast<f32>(_e191);
+            let _e209 = array<u32, 3>(_e195, _e199, _e203);
+            let _e211 = bitcast<i32>(_e171);
+            if (_e211 < -126i) {
+                phi_372_ = -126i;
             } else {
-                phi_385_ = select(_e215, 127i, (_e215 > 127i));
+                phi_372_ = select(_e211, 127i, (_e211 > 127i));
             }
-            let _e220 = phi_385_;
-            let _e225 = bitcast<f32>((bitcast<u32>((_e220 + 127i)) << bitcast<u32>(23i)));
-            let _e231 = bitcast<f32>((bitcast<u32>(((_e215 - _e220) + 127i)) << bitcast<u32>(23i)));
-            if (_e191 == 0u) {
-                phi_409_ = type_41(array<f32, 3>(_e208, _e209, _e210), _e191, _e212, _e213);
+            let _e216 = phi_372_;
+            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
+            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
+            if (_e187 == 0u) {
+                phi_396_ = type_40(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
             } else {
-                phi_409_ = type_41(array<f32, 3>(((_e208 * _e225) * _e231), ((_e209 * _e225) * _e231), ((_e210 * _e225) * _e231)), _e191, ((_e212 * _e225) * _e231), _e213);
+                phi_396_ = type_40(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
             }
-            let _e244 = phi_409_;
-            if _e166 {
-                let _e245 = (_e151 < arrayLength((&global_2.member)));
-                if _e245 {
-                    if _e166 {
+            let _e240 = phi_396_;
+            if _e162 {
+                let _e241 = (_e147 < arrayLength((&global_2.member)));
+                if _e241 {
+                    if _e162 {
                     } else {
                         break;
                     }
-                    let _e250 = global_9.member[_e151].member.member_1;
-                    let _e255 = global_9.member[_e151].member.member_3;
-                    if (_e250 <= _e255) {
-                        let _e257 = (1u < _e119);
-                        if _e257 {
-                            if (0u < _e119) {
+                    let _e246 = global_9.member[_e147].member.member_1;
+                    let _e251 = global_9.member[_e147].member.member_3;
+                    if (_e246 <= _e251) {
+                        let _e253 = (1u < _e115);
+                        if _e253 {
+                            if (0u < _e115) {
                             } else {
                                 break;
                             }
-                            let _e261 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e261 + 1u) < _e261) {
-                                if _e257 {
+                            let _e257 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e257 + 1u) < _e257) {
+                                if _e253 {
                                 } else {
                                     break;
                                 }
-                                let _e266 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e262 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e166 {
+                        if _e162 {
                         } else {
                             break;
                         }
-                        let _e276 = global_9.member[_e151].member.member_2[0u];
-                        let _e278 = (bitcast<u32>(_e276) & 2147483647u);
-                        let _e284 = global_9.member[_e151].member.member_2[1u];
-                        let _e286 = (bitcast<u32>(_e284) & 2147483647u);
-                        let _e292 = global_9.member[_e151].member.member_2[2u];
-                        let _e294 = (bitcast<u32>(_e292) & 2147483647u);
-                        let _e300 = global_9.member[_e151].member.member[0u];
-                        let _e302 = (bitcast<u32>(_e300) & 2147483647u);
-                        let _e308 = global_9.member[_e151].member.member[1u];
-                        let _e310 = (bitcast<u32>(_e308) & 2147483647u);
-                        let _e316 = global_9.member[_e151].member.member[2u];
-                        let _e318 = (bitcast<u32>(_e316) & 2147483647u);
-                        let _e320 = select(_e286, _e278, (_e286 < _e278));
-                        let _e322 = select(_e294, _e320, (_e294 < _e320));
-                        let _e324 = select(_e302, _e322, (_e302 < _e322));
-                        let _e326 = select(_e310, _e324, (_e310 < _e324));
-                        let _e328 = select(_e318, _e326, (_e318 < _e326));
-                        let _e330 = (bitcast<u32>(_e250) & 2147483647u);
-                        let _e339 = (((select(_e330, _e328, (_e330 < _e328)) < 2139095040u) && ((bitcast<u32>(_e255) & 2147483647u) <= 2139095040u)) && (_e322 > 0u));
-                        if _e339 {
-                            let _e342 = (bitcast<u32>(bitcast<f32>(_e322)) & 2147483647u);
-                            if (_e342 >= 8388608u) {
-                                phi_559_ = (bitcast<i32>((_e342 >> bitcast<u32>(23i))) - 127i);
+                        let _e272 = global_9.member[_e147].member.member_2[0u];
+                        let _e274 = (bitcast<u32>(_e272) & 2147483647u);
+                        let _e280 = global_9.member[_e147].member.member_2[1u];
+                        let _e282 = (bitcast<u32>(_e280) & 2147483647u);
+                        let _e288 = global_9.member[_e147].member.member_2[2u];
+                        let _e290 = (bitcast<u32>(_e288) & 2147483647u);
+                        let _e296 = global_9.member[_e147].member.member[0u];
+                        let _e298 = (bitcast<u32>(_e296) & 2147483647u);
+                        let _e304 = global_9.member[_e147].member.member[1u];
+                        let _e306 = (bitcast<u32>(_e304) & 2147483647u);
+                        let _e312 = global_9.member[_e147].member.member[2u];
+                        let _e314 = (bitcast<u32>(_e312) & 2147483647u);
+                        let _e316 = select(_e282, _e274, (_e282 < _e274));
+                        let _e318 = select(_e290, _e316, (_e290 < _e316));
+                        let _e320 = select(_e298, _e318, (_e298 < _e318));
+                        let _e322 = select(_e306, _e320, (_e306 < _e320));
+                        let _e324 = select(_e314, _e322, (_e314 < _e322));
+                        let _e326 = (bitcast<u32>(_e246) & 2147483647u);
+                        let _e335 = (((select(_e326, _e324, (_e326 < _e324)) < 2139095040u) && ((bitcast<u32>(_e251) & 2147483647u) <= 2139095040u)) && (_e318 > 0u));
+                        if _e335 {
+                            let _e338 = (bitcast<u32>(bitcast<f32>(_e318)) & 2147483647u);
+                            if (_e338 >= 8388608u) {
+                                phi_546_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_559_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e342)), 32u, (_e342 == 0u))));
+                                phi_546_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
                             }
-                            let _e356 = phi_559_;
-                            phi_560_ = _e356;
+                            let _e352 = phi_546_;
+                            phi_547_ = _e352;
                         } else {
-                            phi_560_ = 0i;
+                            phi_547_ = 0i;
                         }
-                        let _e358 = phi_560_;
-                        let _e359 = (_e278 == _e322);
-                        if _e359 {
+                        let _e354 = phi_547_;
+                        let _e355 = (_e274 == _e318);
+                        if _e355 {
+                            phi_557_ = true;
+                        } else {
+                            phi_557_ = (_e282 == _e318);
+                        }
+                        let _e358 = phi_557_;
+                        let _e359 = select(1u, 0u, _e355);
+                        if _e358 {
+                            let _e360 = (_e359 + 1u);
+                            phi_567_ = _e360;
+                            phi_568_ = _e360;
+                            phi_570_ = select(true, false, (_e360 == 2u));
+                        } else {
+                            phi_567_ = u32();
+                            phi_568_ = 0u;
                             phi_570_ = true;
-                        } else {
-                            phi_570_ = (_e286 == _e322);
                         }
-                        let _e362 = phi_570_;
-                        let _e363 = select(1u, 0u, _e359);
-                        if _e362 {
-                            let _e364 = (_e363 + 1u);
-                            phi_580_ = _e364;
-                            phi_581_ = _e364;
-                            phi_583_ = select(true, false, (_e364 == 2u));
+                        let _e364 = phi_567_;
+                        let _e366 = phi_568_;
+                        let _e368 = phi_570_;
+                        if _e368 {
+                            phi_575_ = (_e366 + 1u);
                         } else {
-                            phi_580_ = u32();
-                            phi_581_ = 0u;
-                            phi_583_ = true;
+                            phi_575_ = 0u;
                         }
-                        let _e368 = phi_580_;
-                        let _e370 = phi_581_;
-                        let _e372 = phi_583_;
-                        if _e372 {
-                            phi_588_ = (_e370 + 1u);
+                        let _e372 = phi_575_;
+                        let _e373 = select(_e364, _e366, _e368);
+                        let _e374 = select(_e359, select(2u, _e359, _e358), _e368);
+                        let _e375 = -(_e354);
+                        if (_e375 < -126i) {
+                            phi_607_ = -126i;
                         } else {
-                            phi_588_ = 0u;
+                            phi_607_ = select(_e375, 127i, (_e375 > 127i));
                         }
-                        let _e376 = phi_588_;
-                        let _e377 = select(_e368, _e370, _e372);
-                        let _e378 = select(_e363, select(2u, _e363, _e362), _e372);
-                        let _e379 = -(_e358);
-                        if (_e379 < -126i) {
-                            phi_621_ = -126i;
+                        let _e380 = phi_607_;
+                        let _e385 = bitcast<f32>((bitcast<u32>((_e380 + 127i)) << bitcast<u32>(23i)));
+                        let _e391 = bitcast<f32>((bitcast<u32>(((_e375 - _e380) + 127i)) << bitcast<u32>(23i)));
+                        let _e396 = global_9.member[_e147].member.member;
+                        let _e397 = (_e373 == 0u);
+                        if _e397 {
+                            phi_625_ = _e396[0];
                         } else {
-                            phi_621_ = select(_e379, 127i, (_e379 > 127i));
+                            phi_625_ = _e396[1];
                         }
-                        let _e384 = phi_621_;
-                        let _e389 = bitcast<f32>((bitcast<u32>((_e384 + 127i)) << bitcast<u32>(23i)));
-                        let _e395 = bitcast<f32>((bitcast<u32>(((_e379 - _e384) + 127i)) << bitcast<u32>(23i)));
-                        let _e400 = global_9.member[_e151].member.member;
-                        let _e401 = (_e377 == 0u);
-                        if _e401 {
-                            phi_639_ = _e400[0];
+                        let _e401 = phi_625_;
+                        let _e402 = (_e373 == 2u);
+                        if _e402 {
+                            phi_631_ = _e396[2];
                         } else {
-                            phi_639_ = _e400[1];
+                            phi_631_ = _e401;
                         }
-                        let _e405 = phi_639_;
-                        let _e406 = (_e377 == 2u);
-                        if _e406 {
-                            phi_645_ = _e400[2];
+                        let _e405 = phi_631_;
+                        let _e406 = global_9.member[_e147].member.member_2;
+                        if _e397 {
+                            phi_642_ = _e406[0];
                         } else {
-                            phi_645_ = _e405;
+                            phi_642_ = _e406[1];
                         }
-                        let _e409 = phi_645_;
-                        let _e410 = global_9.member[_e151].member.member_2;
-                        if _e401 {
-                            phi_656_ = _e410[0];
+                        let _e410 = phi_642_;
+                        if _e402 {
+                            phi_648_ = _e406[2];
                         } else {
-                            phi_656_ = _e410[1];
+                            phi_648_ = _e410;
                         }
-                        let _e414 = phi_656_;
-                        if _e406 {
-                            phi_662_ = _e410[2];
+                        let _e413 = phi_648_;
+                        let _e415 = ((_e413 * _e385) * _e391);
+                        let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e419 {
+                            let _e423 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) * 0.00000011920929f);
+                            phi_671_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
                         } else {
-                            phi_662_ = _e414;
+                            phi_671_ = 0f;
                         }
-                        let _e417 = phi_662_;
-                        let _e419 = ((_e417 * _e389) * _e395);
-                        let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e423 {
-                            let _e427 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) * 0.00000011920929f);
-                            phi_685_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
+                        let _e427 = phi_671_;
+                        let _e428 = (_e405 + _e427);
+                        let _e429 = (_e405 - _e427);
+                        let _e430 = select(_e415, 0f, _e419);
+                        if _e419 {
+                            phi_682_ = 38685626000000000000000000f;
                         } else {
-                            phi_685_ = 0f;
+                            phi_682_ = (1f / _e415);
                         }
-                        let _e431 = phi_685_;
-                        let _e432 = (_e409 + _e431);
-                        let _e433 = (_e409 - _e431);
-                        let _e434 = select(_e419, 0f, _e423);
-                        if _e423 {
-                            phi_696_ = 38685626000000000000000000f;
+                        let _e433 = phi_682_;
+                        let _e434 = (_e372 == 0u);
+                        if _e434 {
+                            phi_691_ = _e396[0];
                         } else {
-                            phi_696_ = (1f / _e419);
+                            phi_691_ = _e396[1];
                         }
-                        let _e437 = phi_696_;
-                        let _e438 = (_e376 == 0u);
-                        if _e438 {
-                            phi_705_ = _e400[0];
+                        let _e438 = phi_691_;
+                        let _e439 = (_e372 == 2u);
+                        if _e439 {
+                            phi_697_ = _e396[2];
                         } else {
-                            phi_705_ = _e400[1];
+                            phi_697_ = _e438;
                         }
-                        let _e442 = phi_705_;
-                        let _e443 = (_e376 == 2u);
-                        if _e443 {
-                            phi_711_ = _e400[2];
+                        let _e442 = phi_697_;
+                        if _e434 {
+                            phi_708_ = _e406[0];
                         } else {
-                            phi_711_ = _e442;
+                            phi_708_ = _e406[1];
                         }
-                        let _e446 = phi_711_;
-                        if _e438 {
-                            phi_722_ = _e410[0];
+                        let _e446 = phi_708_;
+                        if _e439 {
+                            phi_714_ = _e406[2];
                         } else {
-                            phi_722_ = _e410[1];
+                            phi_714_ = _e446;
                         }
-                        let _e450 = phi_722_;
-                        if _e443 {
-                            phi_728_ = _e410[2];
+                        let _e449 = phi_714_;
+                        let _e451 = ((_e449 * _e385) * _e391);
+                        let _e455 = (bitcast<f32>((bitcast<u32>(_e451) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e455 {
+                            let _e459 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
+                            phi_737_ = select(0.00000000000011368684f, _e459, (_e459 > 0.00000000000011368684f));
                         } else {
-                            phi_728_ = _e450;
+                            phi_737_ = 0f;
                         }
-                        let _e453 = phi_728_;
-                        let _e455 = ((_e453 * _e389) * _e395);
-                        let _e459 = (bitcast<f32>((bitcast<u32>(_e455) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e459 {
-                            let _e463 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
-                            phi_751_ = select(0.00000000000011368684f, _e463, (_e463 > 0.00000000000011368684f));
+                        let _e463 = phi_737_;
+                        let _e464 = (_e442 + _e463);
+                        let _e465 = (_e442 - _e463);
+                        let _e466 = select(_e451, 0f, _e455);
+                        if _e455 {
+                            phi_748_ = 38685626000000000000000000f;
                         } else {
-                            phi_751_ = 0f;
+                            phi_748_ = (1f / _e451);
                         }
-                        let _e467 = phi_751_;
-                        let _e468 = (_e446 + _e467);
-                        let _e469 = (_e446 - _e467);
-                        let _e470 = select(_e455, 0f, _e459);
-                        if _e459 {
-                            phi_762_ = 38685626000000000000000000f;
+                        let _e469 = phi_748_;
+                        let _e470 = (_e374 == 0u);
+                        if _e470 {
+                            phi_757_ = _e396[0];
                         } else {
-                            phi_762_ = (1f / _e455);
+                            phi_757_ = _e396[1];
                         }
-                        let _e473 = phi_762_;
-                        let _e474 = (_e378 == 0u);
-                        if _e474 {
-                            phi_771_ = _e400[0];
+                        let _e474 = phi_757_;
+                        let _e475 = (_e374 == 2u);
+                        if _e475 {
+                            phi_763_ = _e396[2];
                         } else {
-                            phi_771_ = _e400[1];
+                            phi_763_ = _e474;
                         }
-                        let _e478 = phi_771_;
-                        let _e479 = (_e378 == 2u);
-                        if _e479 {
-                            phi_777_ = _e400[2];
+                        let _e478 = phi_763_;
+                        if _e470 {
+                            phi_774_ = _e406[0];
                         } else {
-                            phi_777_ = _e478;
+                            phi_774_ = _e406[1];
                         }
-                        let _e482 = phi_777_;
-                        if _e474 {
-                            phi_788_ = _e410[0];
+                        let _e482 = phi_774_;
+                        if _e475 {
+                            phi_780_ = _e406[2];
                         } else {
-                            phi_788_ = _e410[1];
+                            phi_780_ = _e482;
                         }
-                        let _e486 = phi_788_;
-                        if _e479 {
-                            phi_794_ = _e410[2];
+                        let _e485 = phi_780_;
+                        let _e487 = ((_e485 * _e385) * _e391);
+                        let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e491 {
+                            let _e495 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
+                            phi_803_ = select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f));
                         } else {
-                            phi_794_ = _e486;
+                            phi_803_ = 0f;
                         }
-                        let _e489 = phi_794_;
-                        let _e491 = ((_e489 * _e389) * _e395);
-                        let _e495 = (bitcast<f32>((bitcast<u32>(_e491) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e495 {
-                            let _e499 = (bitcast<f32>((bitcast<u32>(_e482) & 2147483647u)) * 0.00000011920929f);
-                            phi_817_ = select(0.00000000000011368684f, _e499, (_e499 > 0.00000000000011368684f));
+                        let _e499 = phi_803_;
+                        let _e500 = (_e478 + _e499);
+                        let _e501 = (_e478 - _e499);
+                        let _e502 = select(_e487, 0f, _e491);
+                        if _e491 {
+                            phi_814_ = 38685626000000000000000000f;
                         } else {
-                            phi_817_ = 0f;
+                            phi_814_ = (1f / _e487);
                         }
-                        let _e503 = phi_817_;
-                        let _e504 = (_e482 + _e503);
-                        let _e505 = (_e482 - _e503);
-                        let _e506 = select(_e491, 0f, _e495);
-                        if _e495 {
-                            phi_828_ = 38685626000000000000000000f;
+                        let _e505 = phi_814_;
+                        let _e508 = bitcast<f32>((bitcast<u32>(_e405) & 2147483647u));
+                        let _e511 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
+                        let _e513 = select(_e511, _e508, (_e508 > _e511));
+                        let _e516 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
+                        if (_e335 && (select(_e516, _e513, (_e513 > _e516)) <= 1099511600000f)) {
+                            let _e521 = (_e354 / 3i);
+                            let _e528 = bitcast<f32>((bitcast<u32>((_e521 + 127i)) << bitcast<u32>(23i)));
+                            let _e535 = bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e521)) + 127i)) << bitcast<u32>(23i)));
+                            let _e536 = (((_e246 * _e528) * _e528) * _e535);
+                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
+                            let _e543 = (((_e251 * _e528) * _e528) * _e535);
+                            let _e545 = select(340282350000000000000000000000000000000f, _e543, (_e543 < 340282350000000000000000000000000000000f));
+                            phi_914_ = select(-340282350000000000000000000000000000000f, _e545, (_e545 > -340282350000000000000000000000000000000f));
+                            phi_915_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_828_ = (1f / _e491);
+                            phi_914_ = 0f;
+                            phi_915_ = 1f;
                         }
-                        let _e509 = phi_828_;
-                        let _e512 = bitcast<f32>((bitcast<u32>(_e409) & 2147483647u));
-                        let _e515 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
-                        let _e517 = select(_e515, _e512, (_e512 > _e515));
-                        let _e520 = bitcast<f32>((bitcast<u32>(_e482) & 2147483647u));
-                        if (_e339 && (select(_e520, _e517, (_e517 > _e520)) <= 1099511600000f)) {
-                            let _e525 = (_e358 / 3i);
-                            let _e532 = bitcast<f32>((bitcast<u32>((_e525 + 127i)) << bitcast<u32>(23i)));
-                            let _e539 = bitcast<f32>((bitcast<u32>(((_e358 - (2i * _e525)) + 127i)) << bitcast<u32>(23i)));
-                            let _e540 = (((_e250 * _e532) * _e532) * _e539);
-                            let _e542 = select(340282350000000000000000000000000000000f, _e540, (_e540 < 340282350000000000000000000000000000000f));
-                            let _e547 = (((_e255 * _e532) * _e532) * _e539);
-                            let _e549 = select(340282350000000000000000000000000000000f, _e547, (_e547 < 340282350000000000000000000000000000000f));
-                            phi_928_ = select(-340282350000000000000000000000000000000f, _e549, (_e549 > -340282350000000000000000000000000000000f));
-                            phi_929_ = select(-340282350000000000000000000000000000000f, _e542, (_e542 > -340282350000000000000000000000000000000f));
-                        } else {
-                            phi_928_ = 0f;
-                            phi_929_ = 1f;
-                        }
-                        let _e553 = phi_928_;
-                        let _e555 = phi_929_;
+                        let _e549 = phi_914_;
+                        let _e551 = phi_915_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -597,1142 +603,1285 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e559 = (_e377 % 3u);
-                        let _e560 = (_e559 < 3u);
-                        if _e560 {
+                        let _e555 = (_e373 % 3u);
+                        let _e556 = (_e555 < 3u);
+                        if _e556 {
                         } else {
                             break;
                         }
-                        let _e562 = local_1[_e559];
-                        let _e565 = (_e376 % 3u);
-                        let _e566 = (_e565 < 3u);
-                        if _e566 {
+                        let _e558 = local_1[_e555];
+                        let _e561 = (_e372 % 3u);
+                        let _e562 = (_e561 < 3u);
+                        if _e562 {
                         } else {
                             break;
                         }
-                        let _e568 = local_1[_e565];
-                        let _e571 = (_e378 % 3u);
-                        let _e572 = (_e571 < 3u);
-                        if _e572 {
+                        let _e564 = local_1[_e561];
+                        let _e567 = (_e374 % 3u);
+                        let _e568 = (_e567 < 3u);
+                        if _e568 {
                         } else {
                             break;
                         }
-                        let _e574 = local_1[_e571];
-                        if _e560 {
+                        let _e570 = local_1[_e567];
+                        if _e556 {
                         } else {
                             break;
                         }
-                        let _e579 = local[_e559];
-                        if _e566 {
+                        let _e575 = local[_e555];
+                        if _e562 {
                         } else {
                             break;
                         }
-                        let _e583 = local[_e565];
-                        if _e572 {
+                        let _e579 = local[_e561];
+                        if _e568 {
                         } else {
                             break;
                         }
-                        let _e587 = local[_e571];
-                        phi_3940_ = false;
-                        phi_1018_ = type_46(_e553, false);
-                        phi_1021_ = type_61(type_34(vec4<f32>((f32(_e562) * _e163), (f32(_e568) * _e163), (f32(_e574) * _e163), 0f), vec4<f32>((f32(_e579) * _e163), (f32(_e583) * _e163), (f32(_e587) * _e163), 0f)), select(0u, 2147483648u, (_e104 == 0u)));
-                        phi_1023_ = ((3u * _e104) + 1u);
-                        phi_1025_ = (_e555 <= _e553);
-                        phi_1027_ = 0u;
+                        let _e583 = local[_e567];
+                        phi_4266_ = false;
+                        phi_1004_ = type_46(_e549, false);
+                        phi_1007_ = type_58(type_34(vec4<f32>((f32(_e558) * _e159), (f32(_e564) * _e159), (f32(_e570) * _e159), 0f), vec4<f32>((f32(_e575) * _e159), (f32(_e579) * _e159), (f32(_e583) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
+                        phi_1009_ = ((3u * _e100) + 1u);
+                        phi_1011_ = (_e551 <= _e549);
+                        phi_1013_ = 0u;
                         loop {
-                            let _e597 = phi_3940_;
-                            let _e599 = phi_1018_;
-                            let _e601 = phi_1021_;
-                            let _e603 = phi_1023_;
-                            let _e605 = phi_1025_;
-                            let _e607 = phi_1027_;
-                            local_14 = _e599;
-                            if _e605 {
-                                phi_1038_ = true;
+                            let _e593 = phi_4266_;
+                            let _e595 = phi_1004_;
+                            let _e597 = phi_1007_;
+                            let _e599 = phi_1009_;
+                            let _e601 = phi_1011_;
+                            let _e603 = phi_1013_;
+                            local_11 = _e595;
+                            if _e601 {
+                                phi_1024_ = true;
                             } else {
-                                phi_1038_ = (_e607 > 0u);
+                                phi_1024_ = (_e603 > 0u);
                             }
-                            let _e610 = phi_1038_;
-                            if _e610 {
-                                let _e611 = (_e603 > 0u);
-                                if _e611 {
-                                    if _e605 {
-                                        phi_1124_ = _e601;
-                                        phi_1125_ = _e605;
-                                        phi_1126_ = _e607;
+                            let _e606 = phi_1024_;
+                            if _e606 {
+                                let _e607 = (_e599 > 0u);
+                                if _e607 {
+                                    if _e601 {
+                                        phi_1110_ = _e597;
+                                        phi_1111_ = _e601;
+                                        phi_1112_ = _e603;
                                     } else {
-                                        let _e612 = (_e607 - 1u);
-                                        let _e613 = (_e612 % 128u);
-                                        let _e614 = (_e613 < 128u);
-                                        if _e614 {
+                                        let _e608 = (_e603 - 1u);
+                                        let _e609 = (_e608 % 128u);
+                                        let _e610 = (_e609 < 128u);
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e616 = local_7[_e613];
-                                        if _e614 {
+                                        let _e612 = local_7[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e618 = local_6[_e613];
-                                        if _e614 {
+                                        let _e614 = local_6[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e620 = local_5[_e613];
-                                        if _e614 {
+                                        let _e616 = local_5[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e622 = local_4[_e613];
-                                        if _e614 {
+                                        let _e618 = local_4[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e624 = local_3[_e613];
-                                        if _e614 {
+                                        let _e620 = local_3[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e626 = local_2[_e613];
-                                        if _e614 {
+                                        let _e622 = local_2[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e631 = local_8[_e613];
-                                        if _e614 {
+                                        let _e627 = local_8[_e609];
+                                        if _e610 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e634 = local_9[_e613];
-                                        phi_1124_ = type_61(type_34(vec4<f32>(_e616, _e618, _e620, 0f), vec4<f32>(_e622, _e624, _e626, 0f)), _e631);
-                                        phi_1125_ = (_e634 <= _e599.member);
-                                        phi_1126_ = _e612;
+                                        let _e630 = local_9[_e609];
+                                        phi_1110_ = type_58(type_34(vec4<f32>(_e612, _e614, _e616, 0f), vec4<f32>(_e618, _e620, _e622, 0f)), _e627);
+                                        phi_1111_ = (_e630 <= _e595.member);
+                                        phi_1112_ = _e608;
                                     }
-                                    let _e638 = phi_1124_;
-                                    let _e640 = phi_1125_;
-                                    let _e642 = phi_1126_;
-                                    if _e640 {
-                                        let _e647 = (_e638.member_1 & 268435455u);
-                                        if ((_e638.member_1 & 2147483648u) != 0u) {
-                                            phi_3937_ = _e597;
-                                            phi_1145_ = _e599;
-                                            phi_1148_ = type_8(0u, ((_e638.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e634 = phi_1110_;
+                                    let _e636 = phi_1111_;
+                                    let _e638 = phi_1112_;
+                                    if _e636 {
+                                        let _e643 = (_e634.member_1 & 268435455u);
+                                        if ((_e634.member_1 & 2147483648u) != 0u) {
+                                            phi_1131_ = _e595;
+                                            phi_1134_ = type_8(0u, ((_e634.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1107 = phi_3937_;
-                                                let _e1109 = phi_1145_;
-                                                let _e1111 = phi_1148_;
-                                                local_13 = _e1109;
-                                                local_15 = _e1109;
-                                                if (_e1111.member < _e1111.member_1) {
-                                                    phi_1149_ = type_8((_e1111.member + 1u), _e1111.member_1);
-                                                    phi_1171_ = type_8(1u, _e1111.member);
+                                                let _e1103 = phi_1131_;
+                                                let _e1105 = phi_1134_;
+                                                local_10 = _e1103;
+                                                local_12 = _e1103;
+                                                if (_e1105.member < _e1105.member_1) {
+                                                    phi_1135_ = type_8((_e1105.member + 1u), _e1105.member_1);
+                                                    phi_1157_ = type_8(1u, _e1105.member);
                                                 } else {
-                                                    phi_1149_ = _e1111;
-                                                    phi_1171_ = type_8(0u, type_8().member_1);
+                                                    phi_1135_ = _e1105;
+                                                    phi_1157_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1124 = phi_1149_;
-                                                let _e1126 = phi_1171_;
-                                                let _e1130 = (bitcast<i32>(_e1126.member) != 0i);
-                                                if _e1130 {
-                                                    let _e1135 = (_e638.member.member_1.x - _e638.member.member.x);
-                                                    let _e1138 = (_e638.member.member_1.y - _e638.member.member.y);
-                                                    let _e1141 = (_e638.member.member_1.z - _e638.member.member.z);
-                                                    let _e1143 = select(_e1138, _e1135, (_e1135 > _e1138));
-                                                    let _e1145 = select(_e1141, _e1143, (_e1143 > _e1141));
-                                                    let _e1147 = (_e1145 < (1024f * _e163));
-                                                    if _e1147 {
-                                                        phi_1212_ = 0u;
+                                                let _e1118 = phi_1135_;
+                                                let _e1120 = phi_1157_;
+                                                let _e1124 = (bitcast<i32>(_e1120.member) != 0i);
+                                                if _e1124 {
+                                                    let _e1129 = (_e634.member.member_1.x - _e634.member.member.x);
+                                                    let _e1132 = (_e634.member.member_1.y - _e634.member.member.y);
+                                                    let _e1135 = (_e634.member.member_1.z - _e634.member.member.z);
+                                                    let _e1137 = select(_e1132, _e1129, (_e1129 > _e1132));
+                                                    let _e1139 = select(_e1135, _e1137, (_e1137 > _e1135));
+                                                    let _e1141 = (_e1139 < (1024f * _e159));
+                                                    if _e1141 {
+                                                        phi_1198_ = 0u;
                                                     } else {
-                                                        phi_1212_ = select(2u, 1u, (_e1145 < (2097152f * _e163)));
+                                                        phi_1198_ = select(2u, 1u, (_e1139 < (2097152f * _e159)));
                                                     }
-                                                    let _e1152 = phi_1212_;
-                                                    switch bitcast<i32>(_e1152) {
+                                                    let _e1146 = phi_1198_;
+                                                    switch bitcast<i32>(_e1146) {
                                                         case 0: {
-                                                            phi_1218_ = 1u;
+                                                            phi_1204_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1218_ = 2u;
+                                                            phi_1204_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1218_ = 3u;
+                                                            phi_1204_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1218_ = u32();
+                                                            phi_1204_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1155 = phi_1218_;
-                                                    switch bitcast<i32>(_e1152) {
+                                                    let _e1149 = phi_1204_;
+                                                    switch bitcast<i32>(_e1146) {
                                                         case 0: {
-                                                            phi_1228_ = 1u;
+                                                            phi_1214_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1228_ = 2u;
+                                                            phi_1214_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1228_ = 3u;
+                                                            phi_1214_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1228_ = u32();
+                                                            phi_1214_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1162 = phi_1228_;
-                                                    let _e1164 = ((_e647 + (_e1126.member_1 * ((3u * _e1155) + 1u))) + (3u * _e1162));
-                                                    let _e1165 = (_e1164 < _e107);
-                                                    if _e1165 {
-                                                        if _e1165 {
+                                                    let _e1156 = phi_1214_;
+                                                    let _e1158 = ((_e643 + (_e1120.member_1 * ((3u * _e1149) + 1u))) + (3u * _e1156));
+                                                    let _e1159 = (_e1158 < _e103);
+                                                    if _e1159 {
+                                                        if _e1159 {
                                                         } else {
-                                                            phi_4002_ = true;
+                                                            phi_4260_ = true;
                                                             break;
                                                         }
-                                                        let _e1167 = global_10.member[_e1164];
-                                                        phi_1244_ = _e1167;
+                                                        let _e1161 = global_10.member[_e1158];
+                                                        phi_1230_ = _e1161;
                                                     } else {
-                                                        phi_1244_ = 4294967295u;
+                                                        phi_1230_ = 4294967295u;
                                                     }
-                                                    let _e1169 = phi_1244_;
-                                                    local_10 = array<u32, 3>(_e377, _e376, _e378);
-                                                    if _e1147 {
-                                                        phi_1281_ = 0u;
+                                                    let _e1163 = phi_1230_;
+                                                    if _e1141 {
+                                                        phi_1263_ = 0u;
                                                     } else {
-                                                        phi_1281_ = select(2u, 1u, (_e1145 < (2097152f * _e163)));
+                                                        phi_1263_ = select(2u, 1u, (_e1139 < (2097152f * _e159)));
                                                     }
-                                                    let _e1175 = phi_1281_;
-                                                    switch bitcast<i32>(_e1175) {
+                                                    let _e1168 = phi_1263_;
+                                                    switch bitcast<i32>(_e1168) {
                                                         case 0: {
-                                                            phi_1287_ = 1u;
+                                                            phi_1269_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1287_ = 2u;
+                                                            phi_1269_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1287_ = 3u;
+                                                            phi_1269_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1287_ = u32();
+                                                            phi_1269_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1178 = phi_1287_;
-                                                    switch bitcast<i32>(_e1175) {
+                                                    let _e1171 = phi_1269_;
+                                                    let _e1175 = (_e643 + (_e1120.member_1 * ((3u * _e1171) + 1u)));
+                                                    switch bitcast<i32>(_e1168) {
                                                         case 0: {
-                                                            phi_1297_ = 1u;
-                                                            break;
-                                                        }
-                                                        case 1: {
-                                                            phi_1297_ = 2u;
-                                                            break;
-                                                        }
-                                                        case 2: {
-                                                            phi_1297_ = 3u;
-                                                            break;
-                                                        }
-                                                        default: {
-                                                            phi_1297_ = u32();
-                                                            break;
-                                                        }
-                                                    }
-                                                    let _e1185 = phi_1297_;
-                                                    local_12 = array<f32, 4>(_e638.member.member.x, _e638.member.member.y, _e638.member.member.z, _e638.member.member.w);
-                                                    local_11[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_11[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_3922_ = _e1107;
-                                                    phi_1313_ = type_8(0u, 3u);
-                                                    loop {
-                                                        let _e1199 = phi_3922_;
-                                                        let _e1201 = phi_1313_;
-                                                        if (_e1201.member < _e1201.member_1) {
-                                                            phi_1314_ = type_8((_e1201.member + 1u), _e1201.member_1);
-                                                            phi_1337_ = type_8(1u, _e1201.member);
-                                                        } else {
-                                                            phi_1314_ = _e1201;
-                                                            phi_1337_ = type_8(0u, type_8().member_1);
-                                                        }
-                                                        let _e1214 = phi_1314_;
-                                                        let _e1216 = phi_1337_;
-                                                        let _e1220 = (bitcast<i32>(_e1216.member) != 0i);
-                                                        if _e1220 {
-                                                            let _e1222 = ((_e647 + (_e1126.member_1 * ((3u * _e1178) + 1u))) + (_e1216.member_1 * _e1185));
-                                                            let _e1223 = (_e1222 < _e107);
-                                                            if _e1223 {
-                                                                if _e1223 {
+                                                            let _e1441 = (_e1175 < _e103);
+                                                            if _e1441 {
+                                                                if _e1441 {
                                                                 } else {
-                                                                    phi_4000_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1225 = global_10.member[_e1222];
-                                                                phi_1360_ = _e1225;
+                                                                let _e1443 = global_10.member[_e1175];
+                                                                phi_1293_ = _e1443;
                                                             } else {
-                                                                phi_1360_ = 0u;
+                                                                phi_1293_ = 0u;
                                                             }
-                                                            let _e1227 = phi_1360_;
-                                                            let _e1228 = (_e1222 + 1u);
-                                                            let _e1229 = (_e1228 < _e107);
-                                                            if _e1229 {
-                                                                if _e1229 {
+                                                            let _e1445 = phi_1293_;
+                                                            let _e1447 = ((10u * _e373) & 31u);
+                                                            let _e1456 = ((10u * _e372) & 31u);
+                                                            let _e1465 = ((10u * _e374) & 31u);
+                                                            let _e1474 = (_e1175 + 1u);
+                                                            let _e1475 = (_e1474 < _e103);
+                                                            if _e1475 {
+                                                                if _e1475 {
                                                                 } else {
-                                                                    phi_4000_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1231 = global_10.member[_e1228];
-                                                                phi_1375_ = _e1231;
+                                                                let _e1477 = global_10.member[_e1474];
+                                                                phi_1336_ = _e1477;
                                                             } else {
-                                                                phi_1375_ = 0u;
+                                                                phi_1336_ = 0u;
                                                             }
-                                                            let _e1233 = phi_1375_;
-                                                            phi_1378_ = type_8(0u, 3u);
-                                                            loop {
-                                                                let _e1235 = phi_1378_;
-                                                                if (_e1235.member < _e1235.member_1) {
-                                                                    phi_1379_ = type_8((_e1235.member + 1u), _e1235.member_1);
-                                                                    phi_1402_ = type_8(1u, _e1235.member);
+                                                            let _e1479 = phi_1336_;
+                                                            let _e1502 = (_e1175 + 2u);
+                                                            let _e1503 = (_e1502 < _e103);
+                                                            if _e1503 {
+                                                                if _e1503 {
                                                                 } else {
-                                                                    phi_1379_ = _e1235;
-                                                                    phi_1402_ = type_8(0u, type_8().member_1);
+                                                                    phi_4260_ = true;
+                                                                    break;
                                                                 }
-                                                                let _e1248 = phi_1379_;
-                                                                let _e1250 = phi_1402_;
-                                                                let _e1254 = (bitcast<i32>(_e1250.member) != 0i);
+                                                                let _e1505 = global_10.member[_e1502];
+                                                                phi_1379_ = _e1505;
+                                                            } else {
+                                                                phi_1379_ = 0u;
+                                                            }
+                                                            let _e1507 = phi_1379_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))));
+                                                            break;
+                                                        }
+                                                        case 1: {
+                                                            let _e1264 = (_e1175 < _e103);
+                                                            if _e1264 {
+                                                                if _e1264 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1266 = global_10.member[_e1175];
+                                                                phi_1422_ = _e1266;
+                                                            } else {
+                                                                phi_1422_ = 0u;
+                                                            }
+                                                            let _e1268 = phi_1422_;
+                                                            let _e1269 = (_e1175 + 1u);
+                                                            let _e1270 = (_e1269 < _e103);
+                                                            if _e1270 {
+                                                                if _e1270 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1272 = global_10.member[_e1269];
+                                                                phi_1437_ = _e1272;
+                                                            } else {
+                                                                phi_1437_ = 0u;
+                                                            }
+                                                            let _e1274 = phi_1437_;
+                                                            let _e1275 = (_e373 == 1u);
+                                                            if _e1275 {
+                                                                phi_1447_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1447_ = (_e1274 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1284 = phi_1447_;
+                                                            let _e1291 = (_e372 == 1u);
+                                                            if _e1291 {
+                                                                phi_1467_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1467_ = (_e1274 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1300 = phi_1467_;
+                                                            let _e1307 = (_e374 == 1u);
+                                                            if _e1307 {
+                                                                phi_1487_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1487_ = (_e1274 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1316 = phi_1487_;
+                                                            let _e1324 = (_e1175 + 2u);
+                                                            let _e1325 = (_e1324 < _e103);
+                                                            if _e1325 {
+                                                                if _e1325 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1327 = global_10.member[_e1324];
+                                                                phi_1513_ = _e1327;
+                                                            } else {
+                                                                phi_1513_ = 0u;
+                                                            }
+                                                            let _e1329 = phi_1513_;
+                                                            let _e1330 = (_e1175 + 3u);
+                                                            let _e1331 = (_e1330 < _e103);
+                                                            if _e1331 {
+                                                                if _e1331 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1333 = global_10.member[_e1330];
+                                                                phi_1528_ = _e1333;
+                                                            } else {
+                                                                phi_1528_ = 0u;
+                                                            }
+                                                            let _e1335 = phi_1528_;
+                                                            if _e1275 {
+                                                                phi_1538_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1538_ = (_e1335 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1344 = phi_1538_;
+                                                            if _e1291 {
+                                                                phi_1558_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1558_ = (_e1335 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1359 = phi_1558_;
+                                                            if _e1307 {
+                                                                phi_1578_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1578_ = (_e1335 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1374 = phi_1578_;
+                                                            let _e1382 = (_e1175 + 4u);
+                                                            let _e1383 = (_e1382 < _e103);
+                                                            if _e1383 {
+                                                                if _e1383 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1385 = global_10.member[_e1382];
+                                                                phi_1604_ = _e1385;
+                                                            } else {
+                                                                phi_1604_ = 0u;
+                                                            }
+                                                            let _e1387 = phi_1604_;
+                                                            let _e1388 = (_e1175 + 5u);
+                                                            let _e1389 = (_e1388 < _e103);
+                                                            if _e1389 {
+                                                                if _e1389 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1391 = global_10.member[_e1388];
+                                                                phi_1619_ = _e1391;
+                                                            } else {
+                                                                phi_1619_ = 0u;
+                                                            }
+                                                            let _e1393 = phi_1619_;
+                                                            if _e1275 {
+                                                                phi_1629_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1629_ = (_e1393 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1402 = phi_1629_;
+                                                            if _e1291 {
+                                                                phi_1649_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1649_ = (_e1393 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1417 = phi_1649_;
+                                                            if _e1307 {
+                                                                phi_1669_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1669_ = (_e1393 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1432 = phi_1669_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1284, _e1268, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1300, _e1268, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1316, _e1268, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1344, _e1329, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1359, _e1329, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1374, _e1329, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1402, _e1387, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1417, _e1387, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1432, _e1387, _e470) & 2097151u))) * _e159))));
+                                                            break;
+                                                        }
+                                                        case 2: {
+                                                            let _e1177 = (_e1175 + _e373);
+                                                            let _e1178 = (_e1177 < _e103);
+                                                            if _e1178 {
+                                                                if _e1178 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1180 = global_10.member[_e1177];
+                                                                phi_1696_ = _e1180;
+                                                            } else {
+                                                                phi_1696_ = 0u;
+                                                            }
+                                                            let _e1182 = phi_1696_;
+                                                            let _e1186 = (_e1175 + _e372);
+                                                            let _e1187 = (_e1186 < _e103);
+                                                            if _e1187 {
+                                                                if _e1187 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1189 = global_10.member[_e1186];
+                                                                phi_1714_ = _e1189;
+                                                            } else {
+                                                                phi_1714_ = 0u;
+                                                            }
+                                                            let _e1191 = phi_1714_;
+                                                            let _e1195 = (_e1175 + _e374);
+                                                            let _e1196 = (_e1195 < _e103);
+                                                            if _e1196 {
+                                                                if _e1196 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1198 = global_10.member[_e1195];
+                                                                phi_1732_ = _e1198;
+                                                            } else {
+                                                                phi_1732_ = 0u;
+                                                            }
+                                                            let _e1200 = phi_1732_;
+                                                            let _e1205 = (_e1175 + 3u);
+                                                            let _e1206 = (_e1205 + _e373);
+                                                            let _e1207 = (_e1206 < _e103);
+                                                            if _e1207 {
+                                                                if _e1207 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1209 = global_10.member[_e1206];
+                                                                phi_1752_ = _e1209;
+                                                            } else {
+                                                                phi_1752_ = 0u;
+                                                            }
+                                                            let _e1211 = phi_1752_;
+                                                            let _e1215 = (_e1205 + _e372);
+                                                            let _e1216 = (_e1215 < _e103);
+                                                            if _e1216 {
+                                                                if _e1216 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1218 = global_10.member[_e1215];
+                                                                phi_1770_ = _e1218;
+                                                            } else {
+                                                                phi_1770_ = 0u;
+                                                            }
+                                                            let _e1220 = phi_1770_;
+                                                            let _e1224 = (_e1205 + _e374);
+                                                            let _e1225 = (_e1224 < _e103);
+                                                            if _e1225 {
+                                                                if _e1225 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1227 = global_10.member[_e1224];
+                                                                phi_1788_ = _e1227;
+                                                            } else {
+                                                                phi_1788_ = 0u;
+                                                            }
+                                                            let _e1229 = phi_1788_;
+                                                            let _e1234 = (_e1175 + 6u);
+                                                            let _e1235 = (_e1234 + _e373);
+                                                            let _e1236 = (_e1235 < _e103);
+                                                            if _e1236 {
+                                                                if _e1236 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1238 = global_10.member[_e1235];
+                                                                phi_1808_ = _e1238;
+                                                            } else {
+                                                                phi_1808_ = 0u;
+                                                            }
+                                                            let _e1240 = phi_1808_;
+                                                            let _e1244 = (_e1234 + _e372);
+                                                            let _e1245 = (_e1244 < _e103);
+                                                            if _e1245 {
+                                                                if _e1245 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1247 = global_10.member[_e1244];
+                                                                phi_1826_ = _e1247;
+                                                            } else {
+                                                                phi_1826_ = 0u;
+                                                            }
+                                                            let _e1249 = phi_1826_;
+                                                            let _e1253 = (_e1234 + _e374);
+                                                            let _e1254 = (_e1253 < _e103);
+                                                            if _e1254 {
                                                                 if _e1254 {
-                                                                    let _e1255 = (_e1250.member_1 < 3u);
-                                                                    if _e1255 {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1257 = local_10[_e1250.member_1];
-                                                                    if (_e1250.member_1 < 4u) {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1260 = local_12[_e1250.member_1];
-                                                                    switch bitcast<i32>(_e1175) {
-                                                                        case 0: {
-                                                                            phi_1472_ = (_e1260 + (f32(((_e1227 >> bitcast<u32>(((10u * _e1257) & 31u))) & 1023u)) * _e163));
-                                                                            break;
-                                                                        }
-                                                                        case 1: {
-                                                                            if (_e1257 == 0u) {
-                                                                                phi_1449_ = _e1227;
-                                                                            } else {
-                                                                                if (_e1257 == 1u) {
-                                                                                    phi_1448_ = ((_e1227 >> bitcast<u32>(21i)) | (_e1233 << bitcast<u32>(11i)));
-                                                                                } else {
-                                                                                    phi_1448_ = (_e1233 >> bitcast<u32>(10i));
-                                                                                }
-                                                                                let _e1281 = phi_1448_;
-                                                                                phi_1449_ = _e1281;
-                                                                            }
-                                                                            let _e1283 = phi_1449_;
-                                                                            phi_1472_ = (_e1260 + (f32((_e1283 & 2097151u)) * _e163));
-                                                                            break;
-                                                                        }
-                                                                        case 2: {
-                                                                            let _e1262 = (_e1222 + _e1257);
-                                                                            let _e1263 = (_e1262 < _e107);
-                                                                            if _e1263 {
-                                                                                if _e1263 {
-                                                                                } else {
-                                                                                    phi_3915_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e1265 = global_10.member[_e1262];
-                                                                                phi_1468_ = _e1265;
-                                                                            } else {
-                                                                                phi_1468_ = 0u;
-                                                                            }
-                                                                            let _e1267 = phi_1468_;
-                                                                            phi_1472_ = (f32(bitcast<i32>(_e1267)) * _e163);
-                                                                            break;
-                                                                        }
-                                                                        default: {
-                                                                            phi_1472_ = f32();
-                                                                            break;
-                                                                        }
-                                                                    }
-                                                                    let _e1297 = phi_1472_;
-                                                                    if (_e1216.member_1 < 3u) {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    if _e1255 {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    local_11[_e1216.member_1][_e1250.member_1] = _e1297;
-                                                                }
-                                                                continue;
-                                                                continuing {
-                                                                    phi_1378_ = _e1248;
-                                                                    phi_3915_ = _e1199;
-                                                                    break if !(_e1254);
-                                                                }
-                                                            }
-                                                            let _e1303 = phi_3915_;
-                                                            phi_4000_ = _e1303;
-                                                            if _e1303 {
-                                                                break;
-                                                            }
-                                                            phi_4001_ = _e1303;
-                                                        } else {
-                                                            phi_4001_ = _e1199;
-                                                        }
-                                                        let _e1305 = phi_4001_;
-                                                        continue;
-                                                        continuing {
-                                                            phi_3922_ = _e1305;
-                                                            phi_1313_ = _e1214;
-                                                            phi_4000_ = _e1305;
-                                                            break if !(_e1220);
-                                                        }
-                                                    }
-                                                    let _e1308 = phi_4000_;
-                                                    phi_4002_ = _e1308;
-                                                    if _e1308 {
-                                                        break;
-                                                    }
-                                                    let _e1309 = local_11;
-                                                    let _e1325 = (_e1309[0][2] - _e482);
-                                                    let _e1328 = (((_e1309[0][0] - _e409) * _e506) - (_e1325 * _e434));
-                                                    let _e1331 = (((_e1309[0][1] - _e446) * _e506) - (_e1325 * _e470));
-                                                    let _e1334 = (_e1309[1][2] - _e482);
-                                                    let _e1337 = (((_e1309[1][0] - _e409) * _e506) - (_e1334 * _e434));
-                                                    let _e1340 = (((_e1309[1][1] - _e446) * _e506) - (_e1334 * _e470));
-                                                    let _e1343 = (_e1309[2][2] - _e482);
-                                                    let _e1346 = (((_e1309[2][0] - _e409) * _e506) - (_e1343 * _e434));
-                                                    let _e1349 = (((_e1309[2][1] - _e446) * _e506) - (_e1343 * _e470));
-                                                    let _e1350 = (_e1346 * _e1340);
-                                                    let _e1351 = (_e1349 * _e1337);
-                                                    let _e1352 = (_e1328 * _e1349);
-                                                    let _e1353 = (_e1331 * _e1346);
-                                                    let _e1354 = (_e1337 * _e1331);
-                                                    let _e1355 = (_e1340 * _e1328);
-                                                    let _e1360 = (((_e1350 >= _e1351) && (_e1352 >= _e1353)) && (_e1354 >= _e1355));
-                                                    if (_e1360 || (((_e1350 <= _e1351) && (_e1352 <= _e1353)) && (_e1354 <= _e1355))) {
-                                                        let _e1367 = select(-1f, 1f, _e1360);
-                                                        let _e1369 = ((_e1350 - _e1351) * _e1367);
-                                                        let _e1371 = select(0f, _e1369, (_e1369 > 0f));
-                                                        let _e1373 = ((_e1352 - _e1353) * _e1367);
-                                                        let _e1375 = select(0f, _e1373, (_e1373 > 0f));
-                                                        let _e1377 = ((_e1354 - _e1355) * _e1367);
-                                                        let _e1379 = select(0f, _e1377, (_e1377 > 0f));
-                                                        let _e1381 = ((_e1371 + _e1375) + _e1379);
-                                                        if (_e1381 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2067_ = type_25();
-                                                            phi_2068_ = true;
-                                                        } else {
-                                                            let _e1384 = select(_e1309[1][0], _e1309[0][0], (_e1309[0][0] < _e1309[1][0]));
-                                                            let _e1388 = select(_e1309[1][0], _e1309[0][0], (_e1309[0][0] > _e1309[1][0]));
-                                                            let _e1392 = select(_e1309[1][1], _e1309[0][1], (_e1309[0][1] < _e1309[1][1]));
-                                                            let _e1396 = select(_e1309[1][1], _e1309[0][1], (_e1309[0][1] > _e1309[1][1]));
-                                                            let _e1400 = select(_e1309[1][2], _e1309[0][2], (_e1309[0][2] < _e1309[1][2]));
-                                                            let _e1404 = select(_e1309[1][2], _e1309[0][2], (_e1309[0][2] > _e1309[1][2]));
-                                                            let _e1409 = ((select(_e1309[2][0], _e1384, (_e1384 < _e1309[2][0])) - _e432) * _e437);
-                                                            let _e1410 = ((select(_e1309[2][0], _e1388, (_e1388 > _e1309[2][0])) - _e433) * _e437);
-                                                            let _e1413 = ((select(_e1309[2][1], _e1392, (_e1392 < _e1309[2][1])) - _e468) * _e473);
-                                                            let _e1414 = ((select(_e1309[2][1], _e1396, (_e1396 > _e1309[2][1])) - _e469) * _e473);
-                                                            let _e1417 = ((select(_e1309[2][2], _e1400, (_e1400 < _e1309[2][2])) - _e504) * _e509);
-                                                            let _e1418 = ((select(_e1309[2][2], _e1404, (_e1404 > _e1309[2][2])) - _e505) * _e509);
-                                                            let _e1420 = select(_e1418, _e1417, (_e1417 < _e1418));
-                                                            let _e1422 = select(_e1418, _e1417, (_e1417 > _e1418));
-                                                            let _e1424 = select(_e1410, _e1409, (_e1409 < _e1410));
-                                                            let _e1426 = select(_e1414, _e1413, (_e1413 < _e1414));
-                                                            let _e1428 = select(_e1426, _e1424, (_e1424 > _e1426));
-                                                            let _e1430 = select(_e1420, _e1428, (_e1428 > _e1420));
-                                                            let _e1432 = select(_e1410, _e1409, (_e1409 > _e1410));
-                                                            let _e1434 = select(_e1414, _e1413, (_e1413 > _e1414));
-                                                            let _e1436 = select(_e1434, _e1432, (_e1432 < _e1434));
-                                                            let _e1438 = select(_e1422, _e1436, (_e1436 < _e1422));
-                                                            let _e1439 = -(_e1420);
-                                                            let _e1445 = select(_e555, _e1430, (_e1430 > _e555));
-                                                            if (_e1445 > (_e1438 + (select(_e1439, _e1422, (_e1422 > _e1439)) * 0.0000019073523f))) {
-                                                                phi_2062_ = type_25();
-                                                                phi_2063_ = true;
-                                                            } else {
-                                                                let _e1447 = (_e1445 > _e1109.member);
-                                                                if _e1447 {
-                                                                    phi_2061_ = type_25();
                                                                 } else {
-                                                                    let _e1451 = (_e1309[1][0] - _e1309[0][0]);
-                                                                    let _e1452 = (_e1309[1][1] - _e1309[0][1]);
-                                                                    let _e1453 = (_e1309[1][2] - _e1309[0][2]);
-                                                                    let _e1454 = vec3<f32>(_e1451, _e1452, _e1453);
-                                                                    let _e1455 = (_e1309[2][0] - _e1309[1][0]);
-                                                                    let _e1456 = (_e1309[2][1] - _e1309[1][1]);
-                                                                    let _e1457 = (_e1309[2][2] - _e1309[1][2]);
-                                                                    let _e1458 = vec3<f32>(_e1455, _e1456, _e1457);
-                                                                    let _e1459 = (_e1309[0][0] - _e1309[2][0]);
-                                                                    let _e1460 = (_e1309[0][1] - _e1309[2][1]);
-                                                                    let _e1461 = (_e1309[0][2] - _e1309[2][2]);
-                                                                    let _e1462 = vec3<f32>(_e1459, _e1460, _e1461);
-                                                                    let _e1465 = bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u));
-                                                                    let _e1468 = bitcast<f32>((bitcast<u32>(_e1452) & 2147483647u));
-                                                                    let _e1470 = select(_e1468, _e1465, (_e1465 > _e1468));
-                                                                    let _e1473 = bitcast<f32>((bitcast<u32>(_e1453) & 2147483647u));
-                                                                    let _e1475 = select(_e1473, _e1470, (_e1470 > _e1473));
-                                                                    let _e1478 = bitcast<f32>((bitcast<u32>(_e1455) & 2147483647u));
-                                                                    let _e1481 = bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u));
-                                                                    let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
-                                                                    let _e1486 = bitcast<f32>((bitcast<u32>(_e1457) & 2147483647u));
-                                                                    let _e1488 = select(_e1486, _e1483, (_e1483 > _e1486));
-                                                                    let _e1491 = bitcast<f32>((bitcast<u32>(_e1459) & 2147483647u));
-                                                                    let _e1494 = bitcast<f32>((bitcast<u32>(_e1460) & 2147483647u));
-                                                                    let _e1496 = select(_e1494, _e1491, (_e1491 > _e1494));
-                                                                    let _e1499 = bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u));
-                                                                    let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
-                                                                    let _e1503 = select(_e1488, _e1475, (_e1475 > _e1488));
-                                                                    let _e1505 = select(_e1501, _e1503, (_e1503 > _e1501));
-                                                                    if (_e1475 == _e1505) {
-                                                                        phi_1972_ = _e1458;
-                                                                        phi_1973_ = _e1462;
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1256 = global_10.member[_e1253];
+                                                                phi_1844_ = _e1256;
+                                                            } else {
+                                                                phi_1844_ = 0u;
+                                                            }
+                                                            let _e1258 = phi_1844_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1182)) * _e159), (f32(bitcast<i32>(_e1191)) * _e159), (f32(bitcast<i32>(_e1200)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1211)) * _e159), (f32(bitcast<i32>(_e1220)) * _e159), (f32(bitcast<i32>(_e1229)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1240)) * _e159), (f32(bitcast<i32>(_e1249)) * _e159), (f32(bitcast<i32>(_e1258)) * _e159)));
+                                                            break;
+                                                        }
+                                                        default: {
+                                                            phi_1850_ = array<array<f32, 3>, 3>();
+                                                            break;
+                                                        }
+                                                    }
+                                                    let _e1532 = phi_1850_;
+                                                    let _e1540 = (_e1532[0][2] - _e478);
+                                                    let _e1543 = (((_e1532[0][0] - _e405) * _e502) - (_e1540 * _e430));
+                                                    let _e1546 = (((_e1532[0][1] - _e442) * _e502) - (_e1540 * _e466));
+                                                    let _e1553 = (_e1532[1][2] - _e478);
+                                                    let _e1556 = (((_e1532[1][0] - _e405) * _e502) - (_e1553 * _e430));
+                                                    let _e1559 = (((_e1532[1][1] - _e442) * _e502) - (_e1553 * _e466));
+                                                    let _e1566 = (_e1532[2][2] - _e478);
+                                                    let _e1569 = (((_e1532[2][0] - _e405) * _e502) - (_e1566 * _e430));
+                                                    let _e1572 = (((_e1532[2][1] - _e442) * _e502) - (_e1566 * _e466));
+                                                    let _e1573 = (_e1569 * _e1559);
+                                                    let _e1574 = (_e1572 * _e1556);
+                                                    let _e1575 = (_e1543 * _e1572);
+                                                    let _e1576 = (_e1546 * _e1569);
+                                                    let _e1577 = (_e1556 * _e1546);
+                                                    let _e1578 = (_e1559 * _e1543);
+                                                    let _e1583 = (((_e1573 >= _e1574) && (_e1575 >= _e1576)) && (_e1577 >= _e1578));
+                                                    if (_e1583 || (((_e1573 <= _e1574) && (_e1575 <= _e1576)) && (_e1577 <= _e1578))) {
+                                                        let _e1590 = select(-1f, 1f, _e1583);
+                                                        let _e1592 = ((_e1573 - _e1574) * _e1590);
+                                                        let _e1594 = select(0f, _e1592, (_e1592 > 0f));
+                                                        let _e1596 = ((_e1575 - _e1576) * _e1590);
+                                                        let _e1598 = select(0f, _e1596, (_e1596 > 0f));
+                                                        let _e1600 = ((_e1577 - _e1578) * _e1590);
+                                                        let _e1602 = select(0f, _e1600, (_e1600 > 0f));
+                                                        let _e1604 = ((_e1594 + _e1598) + _e1602);
+                                                        if (_e1604 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2416_ = type_25();
+                                                            phi_2417_ = true;
+                                                        } else {
+                                                            let _e1607 = select(_e1532[1][0], _e1532[0][0], (_e1532[0][0] < _e1532[1][0]));
+                                                            let _e1611 = select(_e1532[1][0], _e1532[0][0], (_e1532[0][0] > _e1532[1][0]));
+                                                            let _e1615 = select(_e1532[1][1], _e1532[0][1], (_e1532[0][1] < _e1532[1][1]));
+                                                            let _e1619 = select(_e1532[1][1], _e1532[0][1], (_e1532[0][1] > _e1532[1][1]));
+                                                            let _e1623 = select(_e1532[1][2], _e1532[0][2], (_e1532[0][2] < _e1532[1][2]));
+                                                            let _e1627 = select(_e1532[1][2], _e1532[0][2], (_e1532[0][2] > _e1532[1][2]));
+                                                            let _e1632 = ((select(_e1532[2][0], _e1607, (_e1607 < _e1532[2][0])) - _e428) * _e433);
+                                                            let _e1633 = ((select(_e1532[2][0], _e1611, (_e1611 > _e1532[2][0])) - _e429) * _e433);
+                                                            let _e1636 = ((select(_e1532[2][1], _e1615, (_e1615 < _e1532[2][1])) - _e464) * _e469);
+                                                            let _e1637 = ((select(_e1532[2][1], _e1619, (_e1619 > _e1532[2][1])) - _e465) * _e469);
+                                                            let _e1640 = ((select(_e1532[2][2], _e1623, (_e1623 < _e1532[2][2])) - _e500) * _e505);
+                                                            let _e1641 = ((select(_e1532[2][2], _e1627, (_e1627 > _e1532[2][2])) - _e501) * _e505);
+                                                            let _e1643 = select(_e1641, _e1640, (_e1640 < _e1641));
+                                                            let _e1645 = select(_e1641, _e1640, (_e1640 > _e1641));
+                                                            let _e1647 = select(_e1633, _e1632, (_e1632 < _e1633));
+                                                            let _e1649 = select(_e1637, _e1636, (_e1636 < _e1637));
+                                                            let _e1651 = select(_e1649, _e1647, (_e1647 > _e1649));
+                                                            let _e1653 = select(_e1643, _e1651, (_e1651 > _e1643));
+                                                            let _e1655 = select(_e1633, _e1632, (_e1632 > _e1633));
+                                                            let _e1657 = select(_e1637, _e1636, (_e1636 > _e1637));
+                                                            let _e1659 = select(_e1657, _e1655, (_e1655 < _e1657));
+                                                            let _e1661 = select(_e1645, _e1659, (_e1659 < _e1645));
+                                                            let _e1662 = -(_e1643);
+                                                            let _e1668 = select(_e551, _e1653, (_e1653 > _e551));
+                                                            if (_e1668 > (_e1661 + (select(_e1662, _e1645, (_e1645 > _e1662)) * 0.0000019073523f))) {
+                                                                phi_2411_ = type_25();
+                                                                phi_2412_ = true;
+                                                            } else {
+                                                                let _e1670 = (_e1668 > _e1103.member);
+                                                                if _e1670 {
+                                                                    phi_2410_ = type_25();
+                                                                } else {
+                                                                    let _e1674 = (_e1532[1][0] - _e1532[0][0]);
+                                                                    let _e1675 = (_e1532[1][1] - _e1532[0][1]);
+                                                                    let _e1676 = (_e1532[1][2] - _e1532[0][2]);
+                                                                    let _e1677 = vec3<f32>(_e1674, _e1675, _e1676);
+                                                                    let _e1678 = (_e1532[2][0] - _e1532[1][0]);
+                                                                    let _e1679 = (_e1532[2][1] - _e1532[1][1]);
+                                                                    let _e1680 = (_e1532[2][2] - _e1532[1][2]);
+                                                                    let _e1681 = vec3<f32>(_e1678, _e1679, _e1680);
+                                                                    let _e1682 = (_e1532[0][0] - _e1532[2][0]);
+                                                                    let _e1683 = (_e1532[0][1] - _e1532[2][1]);
+                                                                    let _e1684 = (_e1532[0][2] - _e1532[2][2]);
+                                                                    let _e1685 = vec3<f32>(_e1682, _e1683, _e1684);
+                                                                    let _e1688 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
+                                                                    let _e1691 = bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u));
+                                                                    let _e1693 = select(_e1691, _e1688, (_e1688 > _e1691));
+                                                                    let _e1696 = bitcast<f32>((bitcast<u32>(_e1676) & 2147483647u));
+                                                                    let _e1698 = select(_e1696, _e1693, (_e1693 > _e1696));
+                                                                    let _e1701 = bitcast<f32>((bitcast<u32>(_e1678) & 2147483647u));
+                                                                    let _e1704 = bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u));
+                                                                    let _e1706 = select(_e1704, _e1701, (_e1701 > _e1704));
+                                                                    let _e1709 = bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u));
+                                                                    let _e1711 = select(_e1709, _e1706, (_e1706 > _e1709));
+                                                                    let _e1714 = bitcast<f32>((bitcast<u32>(_e1682) & 2147483647u));
+                                                                    let _e1717 = bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u));
+                                                                    let _e1719 = select(_e1717, _e1714, (_e1714 > _e1717));
+                                                                    let _e1722 = bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u));
+                                                                    let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
+                                                                    let _e1726 = select(_e1711, _e1698, (_e1698 > _e1711));
+                                                                    let _e1728 = select(_e1724, _e1726, (_e1726 > _e1724));
+                                                                    if (_e1698 == _e1728) {
+                                                                        phi_2321_ = _e1681;
+                                                                        phi_2322_ = _e1685;
                                                                     } else {
-                                                                        let _e1508 = vec3((_e1488 == _e1505));
-                                                                        phi_1972_ = select(_e1454, _e1462, _e1508);
-                                                                        phi_1973_ = select(_e1458, _e1454, _e1508);
+                                                                        let _e1731 = vec3((_e1711 == _e1728));
+                                                                        phi_2321_ = select(_e1677, _e1685, _e1731);
+                                                                        phi_2322_ = select(_e1681, _e1677, _e1731);
                                                                     }
-                                                                    let _e1512 = phi_1972_;
-                                                                    let _e1514 = phi_1973_;
-                                                                    let _e1521 = ((_e1512.y * _e1514.z) - (_e1514.y * _e1512.z));
-                                                                    let _e1526 = ((_e1512.z * _e1514.x) - (_e1514.z * _e1512.x));
-                                                                    let _e1529 = ((_e1512.x * _e1514.y) - (_e1514.x * _e1512.y));
-                                                                    if (_e1371 >= _e1375) {
-                                                                        phi_2004_ = select(true, false, (_e1371 >= _e1379));
+                                                                    let _e1735 = phi_2321_;
+                                                                    let _e1737 = phi_2322_;
+                                                                    let _e1744 = ((_e1735.y * _e1737.z) - (_e1737.y * _e1735.z));
+                                                                    let _e1749 = ((_e1735.z * _e1737.x) - (_e1737.z * _e1735.x));
+                                                                    let _e1752 = ((_e1735.x * _e1737.y) - (_e1737.x * _e1735.y));
+                                                                    if (_e1594 >= _e1598) {
+                                                                        phi_2353_ = select(true, false, (_e1594 >= _e1602));
                                                                     } else {
-                                                                        phi_2004_ = true;
+                                                                        phi_2353_ = true;
                                                                     }
-                                                                    let _e1534 = phi_2004_;
-                                                                    if _e1534 {
-                                                                        phi_2013_ = select(vec3<f32>(_e1309[2][0], _e1309[2][1], _e1309[2][2]), vec3<f32>(_e1309[1][0], _e1309[1][1], _e1309[1][2]), vec3((_e1375 >= _e1379)));
+                                                                    let _e1757 = phi_2353_;
+                                                                    if _e1757 {
+                                                                        phi_2362_ = select(vec3<f32>(_e1532[2][0], _e1532[2][1], _e1532[2][2]), vec3<f32>(_e1532[1][0], _e1532[1][1], _e1532[1][2]), vec3((_e1598 >= _e1602)));
                                                                     } else {
-                                                                        phi_2013_ = vec3<f32>(_e1309[0][0], _e1309[0][1], _e1309[0][2]);
+                                                                        phi_2362_ = vec3<f32>(_e1532[0][0], _e1532[0][1], _e1532[0][2]);
                                                                     }
-                                                                    let _e1539 = phi_2013_;
-                                                                    let _e1556 = ((((_e1521 * (_e1539.x - _e409)) + (_e1526 * (_e1539.y - _e446))) + (_e1529 * (_e1539.z - _e482))) / (((_e1521 * _e434) + (_e1526 * _e470)) + (_e1529 * _e506)));
-                                                                    let _e1558 = select(_e1438, _e1556, (_e1556 < _e1438));
-                                                                    let _e1560 = select(_e1430, _e1558, (_e1558 > _e1430));
-                                                                    if (_e1560 >= _e555) {
-                                                                        let _e1562 = (_e1560 <= _e1109.member);
-                                                                        if _e1562 {
-                                                                            let _e1563 = (1f / _e1381);
-                                                                            phi_2053_ = type_25(_e1560, (_e1375 * _e1563), (_e1379 * _e1563), _e1169);
+                                                                    let _e1762 = phi_2362_;
+                                                                    let _e1779 = ((((_e1744 * (_e1762.x - _e405)) + (_e1749 * (_e1762.y - _e442))) + (_e1752 * (_e1762.z - _e478))) / (((_e1744 * _e430) + (_e1749 * _e466)) + (_e1752 * _e502)));
+                                                                    let _e1781 = select(_e1661, _e1779, (_e1779 < _e1661));
+                                                                    let _e1783 = select(_e1653, _e1781, (_e1781 > _e1653));
+                                                                    if (_e1783 >= _e551) {
+                                                                        let _e1785 = (_e1783 <= _e1103.member);
+                                                                        if _e1785 {
+                                                                            let _e1786 = (1f / _e1604);
+                                                                            phi_2402_ = type_25(_e1783, (_e1598 * _e1786), (_e1602 * _e1786), _e1163);
                                                                         } else {
-                                                                            phi_2053_ = type_25();
+                                                                            phi_2402_ = type_25();
                                                                         }
-                                                                        let _e1568 = phi_2053_;
-                                                                        phi_2055_ = _e1568;
-                                                                        phi_2056_ = select(true, false, _e1562);
+                                                                        let _e1791 = phi_2402_;
+                                                                        phi_2404_ = _e1791;
+                                                                        phi_2405_ = select(true, false, _e1785);
                                                                     } else {
-                                                                        phi_2055_ = type_25();
-                                                                        phi_2056_ = true;
+                                                                        phi_2404_ = type_25();
+                                                                        phi_2405_ = true;
                                                                     }
-                                                                    let _e1571 = phi_2055_;
-                                                                    let _e1573 = phi_2056_;
-                                                                    if _e1573 {
-                                                                        phi_2060_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1794 = phi_2404_;
+                                                                    let _e1796 = phi_2405_;
+                                                                    if _e1796 {
+                                                                        phi_2409_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_2060_ = _e1571;
+                                                                        phi_2409_ = _e1794;
                                                                     }
-                                                                    let _e1575 = phi_2060_;
-                                                                    phi_2061_ = _e1575;
+                                                                    let _e1798 = phi_2409_;
+                                                                    phi_2410_ = _e1798;
                                                                 }
-                                                                let _e1577 = phi_2061_;
-                                                                phi_2062_ = _e1577;
-                                                                phi_2063_ = _e1447;
+                                                                let _e1800 = phi_2410_;
+                                                                phi_2411_ = _e1800;
+                                                                phi_2412_ = _e1670;
                                                             }
-                                                            let _e1579 = phi_2062_;
-                                                            let _e1581 = phi_2063_;
-                                                            phi_2067_ = _e1579;
-                                                            phi_2068_ = _e1581;
+                                                            let _e1802 = phi_2411_;
+                                                            let _e1804 = phi_2412_;
+                                                            phi_2416_ = _e1802;
+                                                            phi_2417_ = _e1804;
                                                         }
-                                                        let _e1583 = phi_2067_;
-                                                        let _e1585 = phi_2068_;
-                                                        phi_2072_ = _e1583;
-                                                        phi_2073_ = _e1585;
+                                                        let _e1806 = phi_2416_;
+                                                        let _e1808 = phi_2417_;
+                                                        phi_2421_ = _e1806;
+                                                        phi_2422_ = _e1808;
                                                     } else {
-                                                        phi_2072_ = type_25();
-                                                        phi_2073_ = true;
+                                                        phi_2421_ = type_25();
+                                                        phi_2422_ = true;
                                                     }
-                                                    let _e1587 = phi_2072_;
-                                                    let _e1589 = phi_2073_;
-                                                    if _e1589 {
-                                                        phi_2077_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1810 = phi_2421_;
+                                                    let _e1812 = phi_2422_;
+                                                    if _e1812 {
+                                                        phi_2426_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2077_ = _e1587;
+                                                        phi_2426_ = _e1810;
                                                     }
-                                                    let _e1591 = phi_2077_;
-                                                    if (_e1591.member_3 != 4294967295u) {
-                                                        if (_e1169 == _e172) {
-                                                            phi_2406_ = false;
+                                                    let _e1814 = phi_2426_;
+                                                    if (_e1814.member_3 != 4294967295u) {
+                                                        if (_e1163 == _e168) {
+                                                            phi_2755_ = false;
                                                         } else {
-                                                            let _e1595 = (_e1169 < arrayLength((&global_6.member)));
-                                                            if _e1595 {
-                                                                if _e1595 {
+                                                            let _e1818 = (_e1163 < arrayLength((&global_6.member)));
+                                                            if _e1818 {
+                                                                if _e1818 {
                                                                 } else {
-                                                                    phi_4002_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1597 = global_6.member[_e1169];
-                                                                phi_2100_ = _e1597;
+                                                                let _e1820 = global_6.member[_e1163];
+                                                                phi_2449_ = _e1820;
                                                             } else {
-                                                                phi_2100_ = 4294967295u;
+                                                                phi_2449_ = 4294967295u;
                                                             }
-                                                            let _e1599 = phi_2100_;
-                                                            let _e1600 = (_e1599 < arrayLength((&global_7.member)));
-                                                            if _e1600 {
-                                                                if _e1600 {
+                                                            let _e1822 = phi_2449_;
+                                                            let _e1823 = (_e1822 < arrayLength((&global_7.member)));
+                                                            if _e1823 {
+                                                                if _e1823 {
                                                                 } else {
-                                                                    phi_4002_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1602 = global_7.member[_e1599];
-                                                                phi_2114_ = _e1602;
+                                                                let _e1825 = global_7.member[_e1822];
+                                                                phi_2463_ = _e1825;
                                                             } else {
-                                                                phi_2114_ = 0i;
+                                                                phi_2463_ = 0i;
                                                             }
-                                                            let _e1604 = phi_2114_;
-                                                            let _e1605 = (_e1604 == 0i);
-                                                            if _e1605 {
-                                                                phi_2405_ = true;
+                                                            let _e1827 = phi_2463_;
+                                                            let _e1828 = (_e1827 == 0i);
+                                                            if _e1828 {
+                                                                phi_2754_ = true;
                                                             } else {
-                                                                if _e401 {
-                                                                    phi_2135_ = vec3<f32>(_e1309[0][0], _e1309[0][1], _e1309[0][2]);
+                                                                if _e397 {
+                                                                    phi_2484_ = vec3<f32>(_e1532[0][0], _e1532[0][1], _e1532[0][2]);
                                                                 } else {
-                                                                    if (_e377 == 1u) {
-                                                                        phi_2134_ = vec3<f32>(_e1309[0][2], _e1309[0][0], _e1309[0][1]);
+                                                                    if (_e373 == 1u) {
+                                                                        phi_2483_ = vec3<f32>(_e1532[0][2], _e1532[0][0], _e1532[0][1]);
                                                                     } else {
-                                                                        phi_2134_ = vec3<f32>(_e1309[0][1], _e1309[0][2], _e1309[0][0]);
+                                                                        phi_2483_ = vec3<f32>(_e1532[0][1], _e1532[0][2], _e1532[0][0]);
                                                                     }
-                                                                    let _e1610 = phi_2134_;
-                                                                    phi_2135_ = _e1610;
+                                                                    let _e1833 = phi_2483_;
+                                                                    phi_2484_ = _e1833;
                                                                 }
-                                                                let _e1613 = phi_2135_;
-                                                                if _e401 {
-                                                                    phi_2152_ = vec3<f32>(_e1309[1][0], _e1309[1][1], _e1309[1][2]);
+                                                                let _e1836 = phi_2484_;
+                                                                if _e397 {
+                                                                    phi_2501_ = vec3<f32>(_e1532[1][0], _e1532[1][1], _e1532[1][2]);
                                                                 } else {
-                                                                    if (_e377 == 1u) {
-                                                                        phi_2151_ = vec3<f32>(_e1309[1][2], _e1309[1][0], _e1309[1][1]);
+                                                                    if (_e373 == 1u) {
+                                                                        phi_2500_ = vec3<f32>(_e1532[1][2], _e1532[1][0], _e1532[1][1]);
                                                                     } else {
-                                                                        phi_2151_ = vec3<f32>(_e1309[1][1], _e1309[1][2], _e1309[1][0]);
+                                                                        phi_2500_ = vec3<f32>(_e1532[1][1], _e1532[1][2], _e1532[1][0]);
                                                                     }
-                                                                    let _e1618 = phi_2151_;
-                                                                    phi_2152_ = _e1618;
+                                                                    let _e1841 = phi_2500_;
+                                                                    phi_2501_ = _e1841;
                                                                 }
-                                                                let _e1621 = phi_2152_;
-                                                                if _e401 {
-                                                                    phi_2169_ = vec3<f32>(_e1309[2][0], _e1309[2][1], _e1309[2][2]);
+                                                                let _e1844 = phi_2501_;
+                                                                if _e397 {
+                                                                    phi_2518_ = vec3<f32>(_e1532[2][0], _e1532[2][1], _e1532[2][2]);
                                                                 } else {
-                                                                    if (_e377 == 1u) {
-                                                                        phi_2168_ = vec3<f32>(_e1309[2][2], _e1309[2][0], _e1309[2][1]);
+                                                                    if (_e373 == 1u) {
+                                                                        phi_2517_ = vec3<f32>(_e1532[2][2], _e1532[2][0], _e1532[2][1]);
                                                                     } else {
-                                                                        phi_2168_ = vec3<f32>(_e1309[2][1], _e1309[2][2], _e1309[2][0]);
+                                                                        phi_2517_ = vec3<f32>(_e1532[2][1], _e1532[2][2], _e1532[2][0]);
                                                                     }
-                                                                    let _e1626 = phi_2168_;
-                                                                    phi_2169_ = _e1626;
+                                                                    let _e1849 = phi_2517_;
+                                                                    phi_2518_ = _e1849;
                                                                 }
-                                                                let _e1629 = phi_2169_;
-                                                                let _e1632 = (_e1621.x - _e1613.x);
-                                                                let _e1635 = (_e1621.y - _e1613.y);
-                                                                let _e1638 = (_e1621.z - _e1613.z);
-                                                                let _e1640 = (_e1629.x - _e1613.x);
-                                                                let _e1642 = (_e1629.y - _e1613.y);
-                                                                let _e1644 = (_e1629.z - _e1613.z);
-                                                                if (_e244.member_1 == 1u) {
-                                                                    phi_2205_ = (vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]) - _e1613);
+                                                                let _e1852 = phi_2518_;
+                                                                let _e1855 = (_e1844.x - _e1836.x);
+                                                                let _e1858 = (_e1844.y - _e1836.y);
+                                                                let _e1861 = (_e1844.z - _e1836.z);
+                                                                let _e1863 = (_e1852.x - _e1836.x);
+                                                                let _e1865 = (_e1852.y - _e1836.y);
+                                                                let _e1867 = (_e1852.z - _e1836.z);
+                                                                if (_e240.member_1 == 1u) {
+                                                                    phi_2554_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e1836);
                                                                 } else {
-                                                                    phi_2205_ = vec3<f32>(_e244.member[0], _e244.member[1], _e244.member[2]);
+                                                                    phi_2554_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
                                                                 }
-                                                                let _e1659 = phi_2205_;
-                                                                let _e1665 = bitcast<f32>((bitcast<u32>((_e1632 * _e1642)) ^ _e244.member_3[0]));
-                                                                let _e1669 = bitcast<f32>((bitcast<u32>((_e1635 * _e1640)) ^ _e244.member_3[0]));
-                                                                let _e1673 = bitcast<f32>((bitcast<u32>((_e1635 * _e1644)) ^ _e244.member_3[0]));
-                                                                let _e1677 = bitcast<f32>((bitcast<u32>((_e1638 * _e1642)) ^ _e244.member_3[0]));
-                                                                let _e1681 = bitcast<f32>((bitcast<u32>((_e1638 * _e1640)) ^ _e244.member_3[0]));
-                                                                let _e1685 = bitcast<f32>((bitcast<u32>((_e1632 * _e1644)) ^ _e244.member_3[0]));
-                                                                let _e1686 = (_e1673 - _e1677);
-                                                                let _e1687 = (_e1681 - _e1685);
-                                                                let _e1688 = (_e1665 - _e1669);
-                                                                let _e1712 = (bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u)));
-                                                                let _e1719 = (bitcast<f32>((bitcast<u32>(_e1681) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1685) & 2147483647u)));
-                                                                let _e1726 = (bitcast<f32>((bitcast<u32>(_e1665) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u)));
-                                                                if (_e244.member_2 == 0f) {
-                                                                    phi_2387_ = 0f;
+                                                                let _e1882 = phi_2554_;
+                                                                let _e1888 = bitcast<f32>((bitcast<u32>((_e1855 * _e1865)) ^ _e240.member_3[0]));
+                                                                let _e1892 = bitcast<f32>((bitcast<u32>((_e1858 * _e1863)) ^ _e240.member_3[0]));
+                                                                let _e1896 = bitcast<f32>((bitcast<u32>((_e1858 * _e1867)) ^ _e240.member_3[0]));
+                                                                let _e1900 = bitcast<f32>((bitcast<u32>((_e1861 * _e1865)) ^ _e240.member_3[0]));
+                                                                let _e1904 = bitcast<f32>((bitcast<u32>((_e1861 * _e1863)) ^ _e240.member_3[0]));
+                                                                let _e1908 = bitcast<f32>((bitcast<u32>((_e1855 * _e1867)) ^ _e240.member_3[0]));
+                                                                let _e1909 = (_e1896 - _e1900);
+                                                                let _e1910 = (_e1904 - _e1908);
+                                                                let _e1911 = (_e1888 - _e1892);
+                                                                let _e1935 = (bitcast<f32>((bitcast<u32>(_e1896) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u)));
+                                                                let _e1942 = (bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u)));
+                                                                let _e1949 = (bitcast<f32>((bitcast<u32>(_e1888) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1892) & 2147483647u)));
+                                                                if (_e240.member_2 == 0f) {
+                                                                    phi_2736_ = 0f;
                                                                 } else {
-                                                                    let _e1756 = bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u));
-                                                                    let _e1759 = bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u));
-                                                                    let _e1762 = bitcast<f32>((bitcast<u32>(_e1688) & 2147483647u));
-                                                                    let _e1764 = select(_e1762, _e1759, (_e1759 > _e1762));
-                                                                    let _e1768 = select(_e1762, _e1759, (_e1759 < _e1762));
-                                                                    let _e1772 = select(_e1759, _e1756, (_e1756 < _e1759));
-                                                                    let _e1774 = select(_e1759, _e1756, (_e1756 > _e1759));
-                                                                    let _e1776 = select(_e1762, _e1774, (_e1774 < _e1762));
-                                                                    phi_2387_ = bitcast<f32>((bitcast<u32>((_e244.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1764, _e1756, (_e1756 > _e1764)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1776, _e1772, (_e1772 > _e1776)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1768, _e1756, (_e1756 < _e1768)))) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1712 + _e1719) + _e1726))) ^ _e244.member_3[0]))) * 1.0000005f)) ^ _e244.member_3[0])))) ^ _e244.member_3[0]));
+                                                                    let _e1979 = bitcast<f32>((bitcast<u32>(_e1909) & 2147483647u));
+                                                                    let _e1982 = bitcast<f32>((bitcast<u32>(_e1910) & 2147483647u));
+                                                                    let _e1985 = bitcast<f32>((bitcast<u32>(_e1911) & 2147483647u));
+                                                                    let _e1987 = select(_e1985, _e1982, (_e1982 > _e1985));
+                                                                    let _e1991 = select(_e1985, _e1982, (_e1982 < _e1985));
+                                                                    let _e1995 = select(_e1982, _e1979, (_e1979 < _e1982));
+                                                                    let _e1997 = select(_e1982, _e1979, (_e1979 > _e1982));
+                                                                    let _e1999 = select(_e1985, _e1997, (_e1997 < _e1985));
+                                                                    phi_2736_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1987, _e1979, (_e1979 > _e1987)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1999, _e1995, (_e1995 > _e1999)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1991, _e1979, (_e1979 < _e1991)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1935 + _e1942) + _e1949))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
                                                                 }
-                                                                let _e1803 = phi_2387_;
-                                                                phi_2405_ = (_e1605 || !(((((bitcast<f32>((bitcast<u32>((_e1659.x * _e1686)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1659.y * _e1687)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1659.z * _e1688)) ^ _e244.member_3[0]))) * f32(-(_e1604))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1659.x) & 2147483647u)) * _e1712)) ^ _e244.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1659.y) & 2147483647u)) * _e1719)) ^ _e244.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1659.z) & 2147483647u)) * _e1726)) ^ _e244.member_3[0]))))) ^ _e244.member_3[0])) + _e1803) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2026 = phi_2736_;
+                                                                phi_2754_ = (_e1828 || !(((((bitcast<f32>((bitcast<u32>((_e1882.x * _e1909)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1882.y * _e1910)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1882.z * _e1911)) ^ _e240.member_3[0]))) * f32(-(_e1827))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.x) & 2147483647u)) * _e1935)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.y) & 2147483647u)) * _e1942)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.z) & 2147483647u)) * _e1949)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2026) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1817 = phi_2405_;
-                                                            phi_2406_ = _e1817;
+                                                            let _e2040 = phi_2754_;
+                                                            phi_2755_ = _e2040;
                                                         }
-                                                        let _e1819 = phi_2406_;
-                                                        if _e1819 {
-                                                            phi_2411_ = type_46(_e1109.member, true);
+                                                        let _e2042 = phi_2755_;
+                                                        if _e2042 {
+                                                            phi_2760_ = type_46(_e1103.member, true);
                                                         } else {
-                                                            phi_2411_ = _e1109;
+                                                            phi_2760_ = _e1103;
                                                         }
-                                                        let _e1824 = phi_2411_;
-                                                        phi_2412_ = _e1824;
+                                                        let _e2047 = phi_2760_;
+                                                        phi_2761_ = _e2047;
                                                     } else {
-                                                        phi_2412_ = _e1109;
+                                                        phi_2761_ = _e1103;
                                                     }
-                                                    let _e1826 = phi_2412_;
-                                                    phi_4003_ = _e1308;
-                                                    phi_1146_ = _e1826;
+                                                    let _e2049 = phi_2761_;
+                                                    phi_1132_ = _e2049;
                                                 } else {
-                                                    phi_4003_ = _e1107;
-                                                    phi_1146_ = type_46();
+                                                    phi_1132_ = type_46();
                                                 }
-                                                let _e1828 = phi_4003_;
-                                                let _e1830 = phi_1146_;
+                                                let _e2051 = phi_1132_;
                                                 continue;
                                                 continuing {
-                                                    phi_3937_ = _e1828;
-                                                    phi_1145_ = _e1830;
-                                                    phi_1148_ = _e1124;
-                                                    phi_4002_ = _e1828;
-                                                    break if !(_e1130);
+                                                    phi_1131_ = _e2051;
+                                                    phi_1134_ = _e1118;
+                                                    phi_4260_ = _e593;
+                                                    break if !(_e1124);
                                                 }
                                             }
-                                            let _e1833 = phi_4002_;
-                                            phi_4078_ = _e1833;
-                                            if _e1833 {
+                                            let _e2054 = phi_4260_;
+                                            phi_4445_ = _e2054;
+                                            if _e2054 {
                                                 break;
                                             }
-                                            let _e1835 = local_13;
-                                            phi_4082_ = _e1833;
-                                            let _e2047 = local_15;
-                                            phi_3653_ = _e2047;
-                                            phi_3654_ = _e638;
-                                            phi_3655_ = false;
-                                            phi_3656_ = select(_e642, 0u, _e1835.member_1);
+                                            let _e2056 = local_10;
+                                            phi_4449_ = _e2054;
+                                            let _e2277 = local_12;
+                                            phi_4002_ = _e2277;
+                                            phi_4003_ = _e634;
+                                            phi_4004_ = false;
+                                            phi_4005_ = select(_e638, 0u, _e2056.member_1);
                                         } else {
-                                            if (_e638.member_1 >= _e104) {
-                                                phi_3209_ = type_62(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_61(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_61(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e634.member_1 >= _e100) {
+                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e638.member_1 < _e104) {
+                                                if (_e634.member_1 < _e100) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e655 = ((1u + _e377) % 4u);
-                                                if (_e655 < 4u) {
+                                                let _e651 = ((1u + _e373) % 4u);
+                                                if (_e651 < 4u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e660 = global_5.member[_e638.member_1][_e655];
-                                                let _e662 = (_e660 >> bitcast<u32>(11u));
-                                                let _e664 = ((1u + _e376) % 4u);
-                                                if (_e664 < 4u) {
+                                                let _e656 = global_5.member[_e634.member_1][_e651];
+                                                let _e658 = (_e656 >> bitcast<u32>(11u));
+                                                let _e660 = ((1u + _e372) % 4u);
+                                                if (_e660 < 4u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e669 = global_5.member[_e638.member_1][_e664];
-                                                let _e671 = (_e669 >> bitcast<u32>(11u));
-                                                let _e673 = ((1u + _e378) % 4u);
-                                                if (_e673 < 4u) {
+                                                let _e665 = global_5.member[_e634.member_1][_e660];
+                                                let _e667 = (_e665 >> bitcast<u32>(11u));
+                                                let _e669 = ((1u + _e374) % 4u);
+                                                if (_e669 < 4u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e678 = global_5.member[_e638.member_1][_e673];
-                                                let _e680 = (_e678 >> bitcast<u32>(11u));
-                                                let _e703 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.x - _e638.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e704 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.y - _e638.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e705 = (bitcast<f32>((bitcast<u32>((_e638.member.member_1.z - _e638.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e707 = select(_e163, _e703, (_e703 > _e163));
-                                                let _e709 = select(_e163, _e704, (_e704 > _e163));
-                                                let _e711 = select(_e163, _e705, (_e705 > _e163));
-                                                let _e736 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e707));
-                                                let _e741 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e744 = bitcast<f32>((_e736 & bitcast<u32>(_e741)));
-                                                let _e745 = bitcast<u32>((f32(bitcast<i32>((_e669 & 1023u))) * _e709));
-                                                let _e750 = (bitcast<i32>((_e669 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e753 = bitcast<f32>((_e745 & bitcast<u32>(_e750)));
-                                                let _e754 = bitcast<u32>((f32(bitcast<i32>((_e678 & 1023u))) * _e711));
-                                                let _e759 = (bitcast<i32>((_e678 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e762 = bitcast<f32>((_e754 & bitcast<u32>(_e759)));
-                                                let _e766 = bitcast<f32>((_e736 & bitcast<u32>(~(_e741))));
-                                                let _e770 = bitcast<f32>((_e745 & bitcast<u32>(~(_e750))));
-                                                let _e774 = bitcast<f32>((_e754 & bitcast<u32>(~(_e759))));
-                                                let _e775 = bitcast<u32>((f32(bitcast<i32>((_e662 & 1023u))) * _e707));
-                                                let _e780 = (bitcast<i32>((_e662 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e783 = bitcast<f32>((_e775 & bitcast<u32>(_e780)));
-                                                let _e784 = bitcast<u32>((f32(bitcast<i32>((_e671 & 1023u))) * _e709));
-                                                let _e789 = (bitcast<i32>((_e671 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e792 = bitcast<f32>((_e784 & bitcast<u32>(_e789)));
-                                                let _e793 = bitcast<u32>((f32(bitcast<i32>((_e680 & 1023u))) * _e711));
-                                                let _e798 = (bitcast<i32>((_e680 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e801 = bitcast<f32>((_e793 & bitcast<u32>(_e798)));
-                                                let _e805 = bitcast<f32>((_e775 & bitcast<u32>(~(_e780))));
-                                                let _e809 = bitcast<f32>((_e784 & bitcast<u32>(~(_e789))));
-                                                let _e813 = bitcast<f32>((_e793 & bitcast<u32>(~(_e798))));
-                                                let _e814 = (_e638.member.member.x + _e744);
-                                                let _e815 = (_e638.member.member.y + _e753);
-                                                let _e816 = (_e638.member.member.z + _e762);
-                                                let _e819 = (_e638.member.member_1.x - _e783);
-                                                let _e820 = (_e638.member.member_1.y - _e792);
-                                                let _e821 = (_e638.member.member_1.z - _e801);
-                                                let _e840 = (_e819 - _e814);
-                                                let _e841 = (_e820 - _e815);
-                                                let _e842 = (_e821 - _e816);
-                                                let _e844 = select(_e841, _e840, (_e840 > _e841));
-                                                let _e846 = select(_e842, _e844, (_e844 > _e842));
-                                                if (_e846 < (1024f * _e163)) {
-                                                    phi_2910_ = 0u;
+                                                let _e674 = global_5.member[_e634.member_1][_e669];
+                                                let _e676 = (_e674 >> bitcast<u32>(11u));
+                                                let _e699 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.x - _e634.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e700 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.y - _e634.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e701 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.z - _e634.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e703 = select(_e159, _e699, (_e699 > _e159));
+                                                let _e705 = select(_e159, _e700, (_e700 > _e159));
+                                                let _e707 = select(_e159, _e701, (_e701 > _e159));
+                                                let _e732 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e703));
+                                                let _e737 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e740 = bitcast<f32>((_e732 & bitcast<u32>(_e737)));
+                                                let _e741 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e705));
+                                                let _e746 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e749 = bitcast<f32>((_e741 & bitcast<u32>(_e746)));
+                                                let _e750 = bitcast<u32>((f32(bitcast<i32>((_e674 & 1023u))) * _e707));
+                                                let _e755 = (bitcast<i32>((_e674 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e758 = bitcast<f32>((_e750 & bitcast<u32>(_e755)));
+                                                let _e762 = bitcast<f32>((_e732 & bitcast<u32>(~(_e737))));
+                                                let _e766 = bitcast<f32>((_e741 & bitcast<u32>(~(_e746))));
+                                                let _e770 = bitcast<f32>((_e750 & bitcast<u32>(~(_e755))));
+                                                let _e771 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e703));
+                                                let _e776 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
+                                                let _e780 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e705));
+                                                let _e785 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e788 = bitcast<f32>((_e780 & bitcast<u32>(_e785)));
+                                                let _e789 = bitcast<u32>((f32(bitcast<i32>((_e676 & 1023u))) * _e707));
+                                                let _e794 = (bitcast<i32>((_e676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e797 = bitcast<f32>((_e789 & bitcast<u32>(_e794)));
+                                                let _e801 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
+                                                let _e805 = bitcast<f32>((_e780 & bitcast<u32>(~(_e785))));
+                                                let _e809 = bitcast<f32>((_e789 & bitcast<u32>(~(_e794))));
+                                                let _e810 = (_e634.member.member.x + _e740);
+                                                let _e811 = (_e634.member.member.y + _e749);
+                                                let _e812 = (_e634.member.member.z + _e758);
+                                                let _e815 = (_e634.member.member_1.x - _e779);
+                                                let _e816 = (_e634.member.member_1.y - _e788);
+                                                let _e817 = (_e634.member.member_1.z - _e797);
+                                                let _e836 = (_e815 - _e810);
+                                                let _e837 = (_e816 - _e811);
+                                                let _e838 = (_e817 - _e812);
+                                                let _e840 = select(_e837, _e836, (_e836 > _e837));
+                                                let _e842 = select(_e838, _e840, (_e840 > _e838));
+                                                if (_e842 < (1024f * _e159)) {
+                                                    phi_3259_ = 0u;
                                                 } else {
-                                                    phi_2910_ = select(2u, 1u, (_e846 < (2097152f * _e163)));
+                                                    phi_3259_ = select(2u, 1u, (_e842 < (2097152f * _e159)));
                                                 }
-                                                let _e853 = phi_2910_;
-                                                switch bitcast<i32>(_e853) {
+                                                let _e849 = phi_3259_;
+                                                switch bitcast<i32>(_e849) {
                                                     case 0: {
-                                                        phi_2916_ = 1u;
+                                                        phi_3265_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2916_ = 2u;
+                                                        phi_3265_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2916_ = 3u;
+                                                        phi_3265_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2916_ = u32();
+                                                        phi_3265_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e856 = phi_2916_;
-                                                let _e862 = global_5.member[_e638.member_1][0u];
-                                                let _e866 = global_5.member[_e638.member_1][1u];
-                                                let _e870 = global_5.member[_e638.member_1][2u];
-                                                let _e874 = global_5.member[_e638.member_1][3u];
-                                                let _e886 = (((_e866 >> bitcast<u32>(22i)) | ((_e870 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e874 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e887 = (_e862 & 268435455u);
-                                                let _e888 = (_e886 & 268435455u);
-                                                let _e891 = ((_e862 >> bitcast<u32>(28u)) & 7u);
-                                                let _e899 = ((_e862 >> bitcast<u32>(31i)) | (((_e886 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e900 = (_e891 != 0u);
-                                                if (_e891 == 0u) {
-                                                    phi_3171_ = _e887;
+                                                let _e852 = phi_3265_;
+                                                let _e858 = global_5.member[_e634.member_1][0u];
+                                                let _e862 = global_5.member[_e634.member_1][1u];
+                                                let _e866 = global_5.member[_e634.member_1][2u];
+                                                let _e870 = global_5.member[_e634.member_1][3u];
+                                                let _e882 = (((_e862 >> bitcast<u32>(22i)) | ((_e866 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e870 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e883 = (_e858 & 268435455u);
+                                                let _e884 = (_e882 & 268435455u);
+                                                let _e887 = ((_e858 >> bitcast<u32>(28u)) & 7u);
+                                                let _e895 = ((_e858 >> bitcast<u32>(31i)) | (((_e882 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e896 = (_e887 != 0u);
+                                                if (_e887 == 0u) {
+                                                    phi_3520_ = _e883;
                                                 } else {
-                                                    if (_e891 == 7u) {
-                                                        phi_3170_ = 2147483648u;
+                                                    if (_e887 == 7u) {
+                                                        phi_3519_ = 2147483648u;
                                                     } else {
-                                                        phi_3170_ = ((2147483648u | (_e891 << bitcast<u32>(28u))) | (_e888 & 268435455u));
+                                                        phi_3519_ = ((2147483648u | (_e887 << bitcast<u32>(28u))) | (_e884 & 268435455u));
                                                     }
-                                                    let _e909 = phi_3170_;
-                                                    phi_3171_ = _e909;
+                                                    let _e905 = phi_3519_;
+                                                    phi_3520_ = _e905;
                                                 }
-                                                let _e911 = phi_3171_;
-                                                if _e900 {
-                                                    let _e912 = (_e891 != 7u);
-                                                    if _e912 {
-                                                        phi_3181_ = (_e888 + (_e891 * ((3u * _e856) + 1u)));
+                                                let _e907 = phi_3520_;
+                                                if _e896 {
+                                                    let _e908 = (_e887 != 7u);
+                                                    if _e908 {
+                                                        phi_3530_ = (_e884 + (_e887 * ((3u * _e852) + 1u)));
                                                     } else {
-                                                        phi_3181_ = u32();
+                                                        phi_3530_ = u32();
                                                     }
-                                                    let _e916 = phi_3181_;
-                                                    phi_3183_ = _e916;
-                                                    phi_3184_ = select(true, false, _e912);
+                                                    let _e912 = phi_3530_;
+                                                    phi_3532_ = _e912;
+                                                    phi_3533_ = select(true, false, _e908);
                                                 } else {
-                                                    phi_3183_ = u32();
-                                                    phi_3184_ = true;
+                                                    phi_3532_ = u32();
+                                                    phi_3533_ = true;
                                                 }
-                                                let _e919 = phi_3183_;
-                                                let _e921 = phi_3184_;
-                                                if (_e899 == 0u) {
-                                                    phi_3205_ = (_e887 + select(0u, 1u, !(_e900)));
+                                                let _e915 = phi_3532_;
+                                                let _e917 = phi_3533_;
+                                                if (_e895 == 0u) {
+                                                    phi_3554_ = (_e883 + select(0u, 1u, !(_e896)));
                                                 } else {
-                                                    if (_e899 == 7u) {
-                                                        phi_3204_ = 2147483648u;
+                                                    if (_e895 == 7u) {
+                                                        phi_3553_ = 2147483648u;
                                                     } else {
-                                                        phi_3204_ = ((2147483648u | (_e899 << bitcast<u32>(28u))) | (select(_e919, _e888, _e921) & 268435455u));
+                                                        phi_3553_ = ((2147483648u | (_e895 << bitcast<u32>(28u))) | (select(_e915, _e884, _e917) & 268435455u));
                                                     }
-                                                    let _e934 = phi_3204_;
-                                                    phi_3205_ = _e934;
+                                                    let _e930 = phi_3553_;
+                                                    phi_3554_ = _e930;
                                                 }
-                                                let _e936 = phi_3205_;
-                                                phi_3209_ = type_62(array<vec4<f32>, 3>(vec4<f32>(_e814, (_e638.member.member.x + _e766), _e819, (_e638.member.member_1.x - _e805)), vec4<f32>(_e815, (_e638.member.member.y + _e770), _e820, (_e638.member.member_1.y - _e809)), vec4<f32>(_e816, (_e638.member.member.z + _e774), _e821, (_e638.member.member_1.z - _e813))), type_61(type_34((_e638.member.member + vec4<f32>(_e744, _e753, _e762, 0f)), (_e638.member.member_1 - vec4<f32>(_e783, _e792, _e801, 0f))), _e911), type_61(type_34((_e638.member.member + vec4<f32>(_e766, _e770, _e774, 0f)), (_e638.member.member_1 - vec4<f32>(_e805, _e809, _e813, 0f))), _e936));
+                                                let _e932 = phi_3554_;
+                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e810, (_e634.member.member.x + _e762), _e815, (_e634.member.member_1.x - _e801)), vec4<f32>(_e811, (_e634.member.member.y + _e766), _e816, (_e634.member.member_1.y - _e805)), vec4<f32>(_e812, (_e634.member.member.z + _e770), _e817, (_e634.member.member_1.z - _e809))), type_58(type_34((_e634.member.member + vec4<f32>(_e740, _e749, _e758, 0f)), (_e634.member.member_1 - vec4<f32>(_e779, _e788, _e797, 0f))), _e907), type_58(type_34((_e634.member.member + vec4<f32>(_e762, _e766, _e770, 0f)), (_e634.member.member_1 - vec4<f32>(_e801, _e805, _e809, 0f))), _e932));
                                             }
-                                            let _e941 = phi_3209_;
-                                            let _e953 = ((_e941.member[0].x - _e432) * _e437);
-                                            let _e954 = ((_e941.member[0].y - _e432) * _e437);
-                                            let _e955 = ((_e941.member[0].z - _e433) * _e437);
-                                            let _e956 = ((_e941.member[0].w - _e433) * _e437);
-                                            let _e966 = ((_e941.member[1].x - _e468) * _e473);
-                                            let _e967 = ((_e941.member[1].y - _e468) * _e473);
-                                            let _e968 = ((_e941.member[1].z - _e469) * _e473);
-                                            let _e969 = ((_e941.member[1].w - _e469) * _e473);
-                                            let _e979 = ((_e941.member[2].x - _e504) * _e509);
-                                            let _e980 = ((_e941.member[2].y - _e504) * _e509);
-                                            let _e981 = ((_e941.member[2].z - _e505) * _e509);
-                                            let _e982 = ((_e941.member[2].w - _e505) * _e509);
-                                            let _e984 = select(_e981, _e979, (_e979 < _e981));
-                                            let _e986 = select(_e982, _e980, (_e980 < _e982));
-                                            let _e988 = select(_e981, _e979, (_e979 > _e981));
-                                            let _e990 = select(_e982, _e980, (_e980 > _e982));
-                                            let _e992 = select(_e955, _e953, (_e953 < _e955));
-                                            let _e994 = select(_e956, _e954, (_e954 < _e956));
-                                            let _e996 = select(_e968, _e966, (_e966 < _e968));
-                                            let _e998 = select(_e969, _e967, (_e967 < _e969));
-                                            let _e1000 = select(_e996, _e992, (_e992 > _e996));
-                                            let _e1002 = select(_e998, _e994, (_e994 > _e998));
-                                            let _e1004 = select(_e984, _e1000, (_e1000 > _e984));
-                                            let _e1006 = select(_e986, _e1002, (_e1002 > _e986));
-                                            let _e1008 = select(_e955, _e953, (_e953 > _e955));
-                                            let _e1010 = select(_e956, _e954, (_e954 > _e956));
-                                            let _e1012 = select(_e968, _e966, (_e966 > _e968));
-                                            let _e1014 = select(_e969, _e967, (_e967 > _e969));
-                                            let _e1016 = select(_e1012, _e1008, (_e1008 < _e1012));
-                                            let _e1018 = select(_e1014, _e1010, (_e1010 < _e1014));
-                                            let _e1023 = -(_e984);
-                                            let _e1024 = -(_e986);
-                                            let _e1031 = (select(_e988, _e1016, (_e1016 < _e988)) + (select(_e1023, _e988, (_e988 > _e1023)) * 0.0000019073523f));
-                                            let _e1032 = (select(_e990, _e1018, (_e1018 < _e990)) + (select(_e1024, _e990, (_e990 > _e1024)) * 0.0000019073523f));
-                                            let _e1034 = select(_e555, _e1004, (_e1004 > _e555));
-                                            let _e1036 = select(_e555, _e1006, (_e1006 > _e555));
-                                            let _e1041 = (_e1034 <= select(_e599.member, _e1031, (_e1031 < _e599.member)));
-                                            let _e1042 = (_e1036 <= select(_e599.member, _e1032, (_e1032 < _e599.member)));
-                                            let _e1043 = (_e1034 <= _e1036);
-                                            if _e1041 {
-                                                if _e1042 {
-                                                    if _e1043 {
-                                                        phi_3553_ = _e941.member_2;
+                                            let _e937 = phi_3558_;
+                                            let _e949 = ((_e937.member[0].x - _e428) * _e433);
+                                            let _e950 = ((_e937.member[0].y - _e428) * _e433);
+                                            let _e951 = ((_e937.member[0].z - _e429) * _e433);
+                                            let _e952 = ((_e937.member[0].w - _e429) * _e433);
+                                            let _e962 = ((_e937.member[1].x - _e464) * _e469);
+                                            let _e963 = ((_e937.member[1].y - _e464) * _e469);
+                                            let _e964 = ((_e937.member[1].z - _e465) * _e469);
+                                            let _e965 = ((_e937.member[1].w - _e465) * _e469);
+                                            let _e975 = ((_e937.member[2].x - _e500) * _e505);
+                                            let _e976 = ((_e937.member[2].y - _e500) * _e505);
+                                            let _e977 = ((_e937.member[2].z - _e501) * _e505);
+                                            let _e978 = ((_e937.member[2].w - _e501) * _e505);
+                                            let _e980 = select(_e977, _e975, (_e975 < _e977));
+                                            let _e982 = select(_e978, _e976, (_e976 < _e978));
+                                            let _e984 = select(_e977, _e975, (_e975 > _e977));
+                                            let _e986 = select(_e978, _e976, (_e976 > _e978));
+                                            let _e988 = select(_e951, _e949, (_e949 < _e951));
+                                            let _e990 = select(_e952, _e950, (_e950 < _e952));
+                                            let _e992 = select(_e964, _e962, (_e962 < _e964));
+                                            let _e994 = select(_e965, _e963, (_e963 < _e965));
+                                            let _e996 = select(_e992, _e988, (_e988 > _e992));
+                                            let _e998 = select(_e994, _e990, (_e990 > _e994));
+                                            let _e1000 = select(_e980, _e996, (_e996 > _e980));
+                                            let _e1002 = select(_e982, _e998, (_e998 > _e982));
+                                            let _e1004 = select(_e951, _e949, (_e949 > _e951));
+                                            let _e1006 = select(_e952, _e950, (_e950 > _e952));
+                                            let _e1008 = select(_e964, _e962, (_e962 > _e964));
+                                            let _e1010 = select(_e965, _e963, (_e963 > _e965));
+                                            let _e1012 = select(_e1008, _e1004, (_e1004 < _e1008));
+                                            let _e1014 = select(_e1010, _e1006, (_e1006 < _e1010));
+                                            let _e1019 = -(_e980);
+                                            let _e1020 = -(_e982);
+                                            let _e1027 = (select(_e984, _e1012, (_e1012 < _e984)) + (select(_e1019, _e984, (_e984 > _e1019)) * 0.0000019073523f));
+                                            let _e1028 = (select(_e986, _e1014, (_e1014 < _e986)) + (select(_e1020, _e986, (_e986 > _e1020)) * 0.0000019073523f));
+                                            let _e1030 = select(_e551, _e1000, (_e1000 > _e551));
+                                            let _e1032 = select(_e551, _e1002, (_e1002 > _e551));
+                                            let _e1037 = (_e1030 <= select(_e595.member, _e1027, (_e1027 < _e595.member)));
+                                            let _e1038 = (_e1032 <= select(_e595.member, _e1028, (_e1028 < _e595.member)));
+                                            let _e1039 = (_e1030 <= _e1032);
+                                            if _e1037 {
+                                                if _e1038 {
+                                                    if _e1039 {
+                                                        phi_3902_ = _e937.member_2;
                                                     } else {
-                                                        phi_3553_ = _e941.member_1;
+                                                        phi_3902_ = _e937.member_1;
                                                     }
-                                                    let _e1047 = phi_3553_;
-                                                    let _e1069 = (_e642 % 128u);
-                                                    let _e1070 = (_e1069 < 128u);
-                                                    if _e1070 {
+                                                    let _e1043 = phi_3902_;
+                                                    let _e1065 = (_e638 % 128u);
+                                                    let _e1066 = (_e1065 < 128u);
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1069] = _e1047.member_1;
-                                                    if _e1070 {
+                                                    local_8[_e1065] = _e1043.member_1;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1069] = _e1047.member.member.x;
-                                                    if _e1070 {
+                                                    local_7[_e1065] = _e1043.member.member.x;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1069] = _e1047.member.member.y;
-                                                    if _e1070 {
+                                                    local_6[_e1065] = _e1043.member.member.y;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1069] = _e1047.member.member.z;
-                                                    if _e1070 {
+                                                    local_5[_e1065] = _e1043.member.member.z;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1069] = _e1047.member.member_1.x;
-                                                    if _e1070 {
+                                                    local_4[_e1065] = _e1043.member.member_1.x;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1069] = _e1047.member.member_1.y;
-                                                    if _e1070 {
+                                                    local_3[_e1065] = _e1043.member.member_1.y;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1069] = _e1047.member.member_1.z;
-                                                    if _e1070 {
+                                                    local_2[_e1065] = _e1043.member.member_1.z;
+                                                    if _e1066 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1069] = select(_e1036, _e1034, (_e1034 > _e1036));
-                                                    if _e1043 {
-                                                        phi_3630_ = _e941.member_1;
+                                                    local_9[_e1065] = select(_e1032, _e1030, (_e1030 > _e1032));
+                                                    if _e1039 {
+                                                        phi_3979_ = _e937.member_1;
                                                     } else {
-                                                        phi_3630_ = _e941.member_2;
+                                                        phi_3979_ = _e937.member_2;
                                                     }
-                                                    let _e1083 = phi_3630_;
-                                                    phi_3631_ = _e1083;
-                                                    phi_3632_ = (_e642 + 1u);
+                                                    let _e1079 = phi_3979_;
+                                                    phi_3980_ = _e1079;
+                                                    phi_3981_ = (_e638 + 1u);
                                                 } else {
-                                                    phi_3631_ = type_61();
-                                                    phi_3632_ = u32();
+                                                    phi_3980_ = type_58();
+                                                    phi_3981_ = u32();
                                                 }
-                                                let _e1085 = phi_3631_;
-                                                let _e1087 = phi_3632_;
-                                                phi_3634_ = _e1085;
-                                                phi_3635_ = _e1087;
-                                                phi_3636_ = select(true, false, _e1042);
+                                                let _e1081 = phi_3980_;
+                                                let _e1083 = phi_3981_;
+                                                phi_3983_ = _e1081;
+                                                phi_3984_ = _e1083;
+                                                phi_3985_ = select(true, false, _e1038);
                                             } else {
-                                                phi_3634_ = type_61();
-                                                phi_3635_ = u32();
-                                                phi_3636_ = true;
+                                                phi_3983_ = type_58();
+                                                phi_3984_ = u32();
+                                                phi_3985_ = true;
                                             }
-                                            let _e1090 = phi_3634_;
-                                            let _e1092 = phi_3635_;
-                                            let _e1094 = phi_3636_;
-                                            if _e1094 {
-                                                if _e1041 {
-                                                    phi_3645_ = _e941.member_1;
+                                            let _e1086 = phi_3983_;
+                                            let _e1088 = phi_3984_;
+                                            let _e1090 = phi_3985_;
+                                            if _e1090 {
+                                                if _e1037 {
+                                                    phi_3994_ = _e937.member_1;
                                                 } else {
-                                                    phi_3645_ = _e941.member_2;
+                                                    phi_3994_ = _e937.member_2;
                                                 }
-                                                let _e1098 = phi_3645_;
-                                                phi_3650_ = _e1098;
-                                                phi_3651_ = select(_e1042, true, _e1041);
+                                                let _e1094 = phi_3994_;
+                                                phi_3999_ = _e1094;
+                                                phi_4000_ = select(_e1038, true, _e1037);
                                             } else {
-                                                phi_3650_ = _e1090;
-                                                phi_3651_ = _e640;
+                                                phi_3999_ = _e1086;
+                                                phi_4000_ = _e636;
                                             }
-                                            let _e1101 = phi_3650_;
-                                            let _e1103 = phi_3651_;
-                                            phi_4082_ = _e597;
-                                            phi_3653_ = _e599;
-                                            phi_3654_ = _e1101;
-                                            phi_3655_ = _e1103;
-                                            phi_3656_ = select(_e1092, _e642, _e1094);
+                                            let _e1097 = phi_3999_;
+                                            let _e1099 = phi_4000_;
+                                            phi_4449_ = _e593;
+                                            phi_4002_ = _e595;
+                                            phi_4003_ = _e1097;
+                                            phi_4004_ = _e1099;
+                                            phi_4005_ = select(_e1088, _e638, _e1090);
                                         }
-                                        let _e1839 = phi_4082_;
-                                        let _e1841 = phi_3653_;
-                                        let _e1843 = phi_3654_;
-                                        let _e1845 = phi_3655_;
-                                        let _e1847 = phi_3656_;
-                                        phi_4081_ = _e1839;
-                                        phi_3657_ = _e1841;
-                                        phi_3658_ = _e1843;
-                                        phi_3659_ = (_e603 - 1u);
-                                        phi_3660_ = _e1845;
-                                        phi_3661_ = _e1847;
+                                        let _e2060 = phi_4449_;
+                                        let _e2062 = phi_4002_;
+                                        let _e2064 = phi_4003_;
+                                        let _e2066 = phi_4004_;
+                                        let _e2068 = phi_4005_;
+                                        phi_4448_ = _e2060;
+                                        phi_4006_ = _e2062;
+                                        phi_4007_ = _e2064;
+                                        phi_4008_ = (_e599 - 1u);
+                                        phi_4009_ = _e2066;
+                                        phi_4010_ = _e2068;
                                     } else {
-                                        phi_4081_ = _e597;
-                                        phi_3657_ = _e599;
-                                        phi_3658_ = _e638;
-                                        phi_3659_ = _e603;
-                                        phi_3660_ = _e640;
-                                        phi_3661_ = _e642;
+                                        phi_4448_ = _e593;
+                                        phi_4006_ = _e595;
+                                        phi_4007_ = _e634;
+                                        phi_4008_ = _e599;
+                                        phi_4009_ = _e636;
+                                        phi_4010_ = _e638;
                                     }
-                                    let _e1849 = phi_4081_;
-                                    let _e1851 = phi_3657_;
-                                    let _e1853 = phi_3658_;
-                                    let _e1855 = phi_3659_;
-                                    let _e1857 = phi_3660_;
-                                    let _e1859 = phi_3661_;
-                                    phi_4080_ = _e1849;
-                                    phi_3662_ = _e1851;
-                                    phi_3663_ = _e1853;
-                                    phi_3664_ = _e1855;
-                                    phi_3665_ = _e1857;
-                                    phi_3666_ = _e1859;
+                                    let _e2070 = phi_4448_;
+                                    let _e2072 = phi_4006_;
+                                    let _e2074 = phi_4007_;
+                                    let _e2076 = phi_4008_;
+                                    let _e2078 = phi_4009_;
+                                    let _e2080 = phi_4010_;
+                                    phi_4447_ = _e2070;
+                                    phi_4011_ = _e2072;
+                                    phi_4012_ = _e2074;
+                                    phi_4013_ = _e2076;
+                                    phi_4014_ = _e2078;
+                                    phi_4015_ = _e2080;
                                 } else {
-                                    phi_4080_ = _e597;
-                                    phi_3662_ = type_46();
-                                    phi_3663_ = type_61();
-                                    phi_3664_ = u32();
-                                    phi_3665_ = bool();
-                                    phi_3666_ = u32();
+                                    phi_4447_ = _e593;
+                                    phi_4011_ = type_46();
+                                    phi_4012_ = type_58();
+                                    phi_4013_ = u32();
+                                    phi_4014_ = bool();
+                                    phi_4015_ = u32();
                                 }
-                                let _e1861 = phi_4080_;
-                                let _e1863 = phi_3662_;
-                                let _e1865 = phi_3663_;
-                                let _e1867 = phi_3664_;
-                                let _e1869 = phi_3665_;
-                                let _e1871 = phi_3666_;
-                                phi_4079_ = _e1861;
-                                phi_1019_ = _e1863;
-                                phi_1022_ = _e1865;
-                                phi_1024_ = _e1867;
-                                phi_1026_ = _e1869;
-                                phi_1028_ = _e1871;
-                                phi_3667_ = _e611;
+                                let _e2082 = phi_4447_;
+                                let _e2084 = phi_4011_;
+                                let _e2086 = phi_4012_;
+                                let _e2088 = phi_4013_;
+                                let _e2090 = phi_4014_;
+                                let _e2092 = phi_4015_;
+                                phi_4446_ = _e2082;
+                                phi_1005_ = _e2084;
+                                phi_1008_ = _e2086;
+                                phi_1010_ = _e2088;
+                                phi_1012_ = _e2090;
+                                phi_1014_ = _e2092;
+                                phi_4016_ = _e607;
                             } else {
-                                phi_4079_ = _e597;
-                                phi_1019_ = type_46();
-                                phi_1022_ = type_61();
-                                phi_1024_ = u32();
-                                phi_1026_ = bool();
-                                phi_1028_ = u32();
-                                phi_3667_ = false;
+                                phi_4446_ = _e593;
+                                phi_1005_ = type_46();
+                                phi_1008_ = type_58();
+                                phi_1010_ = u32();
+                                phi_1012_ = bool();
+                                phi_1014_ = u32();
+                                phi_4016_ = false;
                             }
-                            let _e1873 = phi_4079_;
-                            let _e1875 = phi_1019_;
-                            let _e1877 = phi_1022_;
-                            let _e1879 = phi_1024_;
-                            let _e1881 = phi_1026_;
-                            let _e1883 = phi_1028_;
-                            let _e1885 = phi_3667_;
+                            let _e2094 = phi_4446_;
+                            let _e2096 = phi_1005_;
+                            let _e2098 = phi_1008_;
+                            let _e2100 = phi_1010_;
+                            let _e2102 = phi_1012_;
+                            let _e2104 = phi_1014_;
+                            let _e2106 = phi_4016_;
                             continue;
                             continuing {
-                                phi_3940_ = _e1873;
-                                phi_1018_ = _e1875;
-                                phi_1021_ = _e1877;
-                                phi_1023_ = _e1879;
-                                phi_1025_ = _e1881;
-                                phi_1027_ = _e1883;
-                                phi_4078_ = _e1873;
-                                break if !(_e1885);
+                                phi_4266_ = _e2094;
+                                phi_1004_ = _e2096;
+                                phi_1007_ = _e2098;
+                                phi_1009_ = _e2100;
+                                phi_1011_ = _e2102;
+                                phi_1013_ = _e2104;
+                                phi_4445_ = _e2094;
+                                break if !(_e2106);
                             }
                         }
-                        let _e1888 = phi_4078_;
-                        if _e1888 {
+                        let _e2109 = phi_4445_;
+                        if _e2109 {
                             break;
                         }
-                        let _e1890 = local_14;
-                        if _e1890.member_1 {
+                        let _e2111 = local_11;
+                        if _e2111.member_1 {
                         } else {
-                            if _e245 {
+                            if _e241 {
                             } else {
                                 break;
                             }
-                            let _e1894 = global_2.member[_e151];
-                            if _e166 {
+                            let _e2115 = global_2.member[_e147];
+                            if _e162 {
                             } else {
                                 break;
                             }
-                            let _e1898 = global_9.member[_e151].member_1;
-                            if _e245 {
+                            let _e2119 = global_9.member[_e147].member_1;
+                            if _e241 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e151] = type_27(_e1894.member, _e1894.member_1, _e1894.member_2, array<f32, 3>((_e1894.member_3[0] + (_e1898[0] * _e1894.member_1[0])), (_e1894.member_3[1] + (_e1898[1] * _e1894.member_1[1])), (_e1894.member_3[2] + (_e1898[2] * _e1894.member_1[2]))), _e1894.member_4);
+                            global_2.member[_e147] = type_27(_e2115.member, _e2115.member_1, _e2115.member_2, array<f32, 3>((_e2115.member_3[0] + (_e2119[0] * _e2115.member_1[0])), (_e2115.member_3[1] + (_e2119[1] * _e2115.member_1[1])), (_e2115.member_3[2] + (_e2119[2] * _e2115.member_1[2]))), _e2115.member_4);
                         }
                     }
                 }

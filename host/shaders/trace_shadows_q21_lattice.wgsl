@@ -52,7 +52,7 @@ struct type_33 {
     member: array<type_31>,
 }
 
-struct type_37 {
+struct type_36 {
     member: array<f32, 3>,
     member_1: u32,
     member_2: f32,
@@ -76,18 +76,18 @@ struct type_53 {
     member: array<array<u32, 7>>,
 }
 
-struct type_61 {
+struct type_58 {
     member: type_30,
     member_1: u32,
 }
 
-struct type_62 {
+struct type_59 {
     member: array<vec4<f32>, 3>,
-    member_1: type_61,
-    member_2: type_61,
+    member_1: type_58,
+    member_2: type_58,
 }
 
-struct type_69 {
+struct type_64 {
     member: array<atomic<u32>>,
 }
 
@@ -105,7 +105,7 @@ var<storage> global_5: type_4;
 @group(0) @binding(6) 
 var<storage> global_6: type_47;
 @group(0) @binding(9) 
-var<storage, read_write> global_7: type_69;
+var<storage, read_write> global_7: type_64;
 @group(0) @binding(3) 
 var<storage> global_8: type_53;
 @group(0) @binding(7) 
@@ -124,471 +124,477 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var local_10: array<u32, 3>;
-    var local_11: array<array<f32, 3>, 3>;
-    var local_12: array<f32, 4>;
-    var phi_341_: u32;
-    var phi_385_: i32;
-    var phi_409_: type_37;
-    var phi_559_: i32;
-    var phi_560_: i32;
+    var phi_328_: u32;
+    var phi_372_: i32;
+    var phi_396_: type_36;
+    var phi_546_: i32;
+    var phi_547_: i32;
+    var phi_557_: bool;
+    var phi_567_: u32;
+    var phi_568_: u32;
     var phi_570_: bool;
-    var phi_580_: u32;
-    var phi_581_: u32;
-    var phi_583_: bool;
-    var phi_588_: u32;
-    var phi_621_: i32;
-    var phi_639_: f32;
-    var phi_645_: f32;
-    var phi_656_: f32;
-    var phi_662_: f32;
-    var phi_685_: f32;
-    var phi_696_: f32;
-    var phi_705_: f32;
-    var phi_711_: f32;
-    var phi_722_: f32;
-    var phi_728_: f32;
-    var phi_751_: f32;
-    var phi_762_: f32;
-    var phi_771_: f32;
-    var phi_777_: f32;
-    var phi_788_: f32;
-    var phi_794_: f32;
-    var phi_817_: f32;
-    var phi_828_: f32;
-    var phi_928_: f32;
-    var phi_929_: f32;
-    var phi_3940_: bool;
-    var phi_1018_: type_42;
-    var phi_1021_: type_61;
-    var phi_1023_: u32;
-    var phi_1025_: bool;
-    var phi_1027_: u32;
-    var phi_1038_: bool;
-    var phi_1124_: type_61;
-    var phi_1125_: bool;
-    var phi_1126_: u32;
-    var phi_2910_: u32;
-    var phi_2916_: u32;
-    var phi_3170_: u32;
-    var phi_3171_: u32;
-    var phi_3181_: u32;
-    var phi_3183_: u32;
-    var phi_3184_: bool;
-    var phi_3204_: u32;
-    var phi_3205_: u32;
-    var phi_3209_: type_62;
-    var phi_3553_: type_61;
-    var phi_3630_: type_61;
-    var phi_3631_: type_61;
-    var phi_3632_: u32;
-    var phi_3634_: type_61;
-    var phi_3635_: u32;
-    var phi_3636_: bool;
-    var phi_3645_: type_61;
-    var phi_3650_: type_61;
-    var phi_3651_: bool;
-    var phi_3937_: bool;
-    var phi_1145_: type_42;
-    var phi_1148_: type_8;
-    var phi_1149_: type_8;
-    var phi_1171_: type_8;
-    var phi_1212_: u32;
-    var phi_1218_: u32;
-    var phi_1228_: u32;
-    var phi_1244_: u32;
-    var phi_1281_: u32;
-    var phi_1287_: u32;
-    var phi_1297_: u32;
-    var phi_3922_: bool;
-    var phi_1313_: type_8;
-    var phi_1314_: type_8;
-    var phi_1337_: type_8;
-    var phi_1360_: u32;
-    var phi_1375_: u32;
-    var phi_1378_: type_8;
-    var phi_1379_: type_8;
-    var phi_1402_: type_8;
-    var phi_1468_: u32;
-    var phi_1448_: u32;
-    var phi_1449_: u32;
-    var phi_1472_: f32;
-    var phi_3915_: bool;
-    var phi_4001_: bool;
+    var phi_575_: u32;
+    var phi_607_: i32;
+    var phi_625_: f32;
+    var phi_631_: f32;
+    var phi_642_: f32;
+    var phi_648_: f32;
+    var phi_671_: f32;
+    var phi_682_: f32;
+    var phi_691_: f32;
+    var phi_697_: f32;
+    var phi_708_: f32;
+    var phi_714_: f32;
+    var phi_737_: f32;
+    var phi_748_: f32;
+    var phi_757_: f32;
+    var phi_763_: f32;
+    var phi_774_: f32;
+    var phi_780_: f32;
+    var phi_803_: f32;
+    var phi_814_: f32;
+    var phi_914_: f32;
+    var phi_915_: f32;
+    var phi_4266_: bool;
+    var phi_1004_: type_42;
+    var phi_1007_: type_58;
+    var phi_1009_: u32;
+    var phi_1011_: bool;
+    var phi_1013_: u32;
+    var phi_1024_: bool;
+    var phi_1110_: type_58;
+    var phi_1111_: bool;
+    var phi_1112_: u32;
+    var phi_3259_: u32;
+    var phi_3265_: u32;
+    var phi_3519_: u32;
+    var phi_3520_: u32;
+    var phi_3530_: u32;
+    var phi_3532_: u32;
+    var phi_3533_: bool;
+    var phi_3553_: u32;
+    var phi_3554_: u32;
+    var phi_3558_: type_59;
+    var phi_3902_: type_58;
+    var phi_3979_: type_58;
+    var phi_3980_: type_58;
+    var phi_3981_: u32;
+    var phi_3983_: type_58;
+    var phi_3984_: u32;
+    var phi_3985_: bool;
+    var phi_3994_: type_58;
+    var phi_3999_: type_58;
     var phi_4000_: bool;
-    var phi_1972_: vec3<f32>;
-    var phi_1973_: vec3<f32>;
-    var phi_2004_: bool;
-    var phi_2013_: vec3<f32>;
-    var phi_2053_: type_21;
-    var phi_2055_: type_21;
-    var phi_2056_: bool;
-    var phi_2060_: type_21;
-    var phi_2061_: type_21;
-    var phi_2062_: type_21;
-    var phi_2063_: bool;
-    var phi_2067_: type_21;
-    var phi_2068_: bool;
-    var phi_2072_: type_21;
-    var phi_2073_: bool;
-    var phi_2077_: type_21;
-    var phi_2100_: u32;
-    var phi_2114_: i32;
-    var phi_2134_: vec3<f32>;
-    var phi_2135_: vec3<f32>;
-    var phi_2151_: vec3<f32>;
-    var phi_2152_: vec3<f32>;
-    var phi_2168_: vec3<f32>;
-    var phi_2169_: vec3<f32>;
-    var phi_2205_: vec3<f32>;
-    var phi_2387_: f32;
+    var phi_1131_: type_42;
+    var phi_1134_: type_8;
+    var phi_1135_: type_8;
+    var phi_1157_: type_8;
+    var phi_1198_: u32;
+    var phi_1204_: u32;
+    var phi_1214_: u32;
+    var phi_1230_: u32;
+    var phi_1263_: u32;
+    var phi_1269_: u32;
+    var phi_1696_: u32;
+    var phi_1714_: u32;
+    var phi_1732_: u32;
+    var phi_1752_: u32;
+    var phi_1770_: u32;
+    var phi_1788_: u32;
+    var phi_1808_: u32;
+    var phi_1826_: u32;
+    var phi_1844_: u32;
+    var phi_1422_: u32;
+    var phi_1437_: u32;
+    var phi_1447_: u32;
+    var phi_1467_: u32;
+    var phi_1487_: u32;
+    var phi_1513_: u32;
+    var phi_1528_: u32;
+    var phi_1538_: u32;
+    var phi_1558_: u32;
+    var phi_1578_: u32;
+    var phi_1604_: u32;
+    var phi_1619_: u32;
+    var phi_1629_: u32;
+    var phi_1649_: u32;
+    var phi_1669_: u32;
+    var phi_1293_: u32;
+    var phi_1336_: u32;
+    var phi_1379_: u32;
+    var phi_1850_: array<array<f32, 3>, 3>;
+    var phi_2321_: vec3<f32>;
+    var phi_2322_: vec3<f32>;
+    var phi_2353_: bool;
+    var phi_2362_: vec3<f32>;
+    var phi_2402_: type_21;
+    var phi_2404_: type_21;
     var phi_2405_: bool;
-    var phi_2406_: bool;
-    var phi_2411_: type_42;
-    var phi_2412_: type_42;
-    var phi_4003_: bool;
-    var phi_1146_: type_42;
-    var phi_4002_: bool;
-    var local_13: type_42;
-    var phi_4082_: bool;
-    var phi_3653_: type_42;
-    var phi_3654_: type_61;
-    var phi_3655_: bool;
-    var phi_3656_: u32;
-    var phi_4081_: bool;
-    var phi_3657_: type_42;
-    var phi_3658_: type_61;
-    var phi_3659_: u32;
-    var phi_3660_: bool;
-    var phi_3661_: u32;
-    var phi_4080_: bool;
-    var phi_3662_: type_42;
-    var phi_3663_: type_61;
-    var phi_3664_: u32;
-    var phi_3665_: bool;
-    var phi_3666_: u32;
-    var phi_4079_: bool;
-    var phi_1019_: type_42;
-    var phi_1022_: type_61;
-    var phi_1024_: u32;
-    var phi_1026_: bool;
-    var phi_1028_: u32;
-    var phi_3667_: bool;
-    var phi_4078_: bool;
-    var local_14: type_42;
-    var local_15: type_42;
+    var phi_2409_: type_21;
+    var phi_2410_: type_21;
+    var phi_2411_: type_21;
+    var phi_2412_: bool;
+    var phi_2416_: type_21;
+    var phi_2417_: bool;
+    var phi_2421_: type_21;
+    var phi_2422_: bool;
+    var phi_2426_: type_21;
+    var phi_2449_: u32;
+    var phi_2463_: i32;
+    var phi_2483_: vec3<f32>;
+    var phi_2484_: vec3<f32>;
+    var phi_2500_: vec3<f32>;
+    var phi_2501_: vec3<f32>;
+    var phi_2517_: vec3<f32>;
+    var phi_2518_: vec3<f32>;
+    var phi_2554_: vec3<f32>;
+    var phi_2736_: f32;
+    var phi_2754_: bool;
+    var phi_2755_: bool;
+    var phi_2760_: type_42;
+    var phi_2761_: type_42;
+    var phi_1132_: type_42;
+    var phi_4260_: bool;
+    var local_10: type_42;
+    var phi_4449_: bool;
+    var phi_4002_: type_42;
+    var phi_4003_: type_58;
+    var phi_4004_: bool;
+    var phi_4005_: u32;
+    var phi_4448_: bool;
+    var phi_4006_: type_42;
+    var phi_4007_: type_58;
+    var phi_4008_: u32;
+    var phi_4009_: bool;
+    var phi_4010_: u32;
+    var phi_4447_: bool;
+    var phi_4011_: type_42;
+    var phi_4012_: type_58;
+    var phi_4013_: u32;
+    var phi_4014_: bool;
+    var phi_4015_: u32;
+    var phi_4446_: bool;
+    var phi_1005_: type_42;
+    var phi_1008_: type_58;
+    var phi_1010_: u32;
+    var phi_1012_: bool;
+    var phi_1014_: u32;
+    var phi_4016_: bool;
+    var phi_4445_: bool;
+    var local_11: type_42;
+    var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e101 = global;
-            let _e103 = arrayLength((&global_8.member));
-            let _e106 = arrayLength((&global_10.member));
-            let _e118 = arrayLength((&global_7.member));
-            let _e122 = global_4.member[0u][0u];
-            let _e126 = global_4.member[0u][1u];
-            let _e130 = global_4.member[0u][2u];
-            let _e134 = global_4.member[0u][3u];
-            let _e138 = global_4.member[1u][0u];
-            let _e142 = global_4.member[1u][1u];
-            let _e146 = global_4.member[1u][2u];
-            let _e150 = (_e101.x + (_e101.y * 2097152u));
-            let _e162 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e134) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e122), bitcast<i32>(_e126), bitcast<i32>(_e130));
-            local = array<i32, 3>(bitcast<i32>(_e138), bitcast<i32>(_e142), bitcast<i32>(_e146));
-            let _e165 = (_e150 < arrayLength((&global_9.member)));
-            if _e165 {
-                if _e165 {
+            let _e96 = global;
+            let _e98 = arrayLength((&global_8.member));
+            let _e101 = arrayLength((&global_10.member));
+            let _e113 = arrayLength((&global_7.member));
+            let _e117 = global_4.member[0u][0u];
+            let _e121 = global_4.member[0u][1u];
+            let _e125 = global_4.member[0u][2u];
+            let _e129 = global_4.member[0u][3u];
+            let _e133 = global_4.member[1u][0u];
+            let _e137 = global_4.member[1u][1u];
+            let _e141 = global_4.member[1u][2u];
+            let _e145 = (_e96.x + (_e96.y * 2097152u));
+            let _e157 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e129) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
+            local = array<i32, 3>(bitcast<i32>(_e133), bitcast<i32>(_e137), bitcast<i32>(_e141));
+            let _e160 = (_e145 < arrayLength((&global_9.member)));
+            if _e160 {
+                if _e160 {
                 } else {
                     break;
                 }
-                let _e169 = global_9.member[_e150].member_2;
-                phi_341_ = _e169;
+                let _e164 = global_9.member[_e145].member_2;
+                phi_328_ = _e164;
             } else {
-                phi_341_ = 4294967295u;
+                phi_328_ = 4294967295u;
             }
-            let _e171 = phi_341_;
-            let _e174 = global_1.member[0u];
-            let _e178 = global_3.member[0u][0u];
-            let _e182 = global_3.member[0u][1u];
-            let _e186 = global_3.member[0u][2u];
-            let _e190 = global_3.member[0u][3u];
-            let _e194 = global_3.member[1u][0u];
-            let _e198 = global_3.member[1u][1u];
-            let _e202 = global_3.member[1u][2u];
-            let _e206 = global_3.member[1u][3u];
-            let _e207 = bitcast<f32>(_e178);
-            let _e208 = bitcast<f32>(_e182);
-            let _e209 = bitcast<f32>(_e186);
-            let _e211 = bitcast<f32>(_e194);
-            let _e212 = array<u32, 3>(_e198, _e202, _e206);
-            let _e214 = bitcast<i32>(_e174);
-            if (_e214 < -126i) {
-                phi_385_ = -126i;
+            let _e166 = phi_328_;
+            let _e169 = global_1.member[0u];
+            let _e173 = global_3.member[0u][0u];
+            let _e177 = global_3.member[0u][1u];
+            let _e181 = global_3.member[0u][2u];
+            let _e185 = global_3.member[0u][3u];
+            let _e189 = global_3.member[1u][0u];
+            let _e193 = global_3.member[1u][1u];
+            let _e197 = global_3.member[1u][2u];
+            let _e201 = global_3.member[1u][3u];
+            let _e202 = bitcast<f32>(_e173);
+            let _e203 = bitcast<f32>(_e177);
+            let _e204 = bitcast<f32>(_e181);
+            let _e206 = bitcast<f32>(_e189);
+            let _e207 = array<u32, 3>(_e193, _e197, _e201);
+            let _e209 = bitcast<i32>(_e169);
+            if (_e209 < -126i) {
+                phi_372_ = -126i;
             } else {
-                phi_385_ = select(_e214, 127i, (_e214 > 127i));
+                phi_372_ = select(_e209, 127i, (_e209 > 127i));
             }
-            let _e219 = phi_385_;
-            let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-            let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-            if (_e190 == 0u) {
-                phi_409_ = type_37(array<f32, 3>(_e207, _e208, _e209), _e190, _e211, _e212);
+            let _e214 = phi_372_;
+            let _e219 = bitcast<f32>((bitcast<u32>((_e214 + 127i)) << bitcast<u32>(23i)));
+            let _e225 = bitcast<f32>((bitcast<u32>(((_e209 - _e214) + 127i)) << bitcast<u32>(23i)));
+            if (_e185 == 0u) {
+                phi_396_ = type_36(array<f32, 3>(_e202, _e203, _e204), _e185, _e206, _e207);
             } else {
-                phi_409_ = type_37(array<f32, 3>(((_e207 * _e224) * _e230), ((_e208 * _e224) * _e230), ((_e209 * _e224) * _e230)), _e190, ((_e211 * _e224) * _e230), _e212);
+                phi_396_ = type_36(array<f32, 3>(((_e202 * _e219) * _e225), ((_e203 * _e219) * _e225), ((_e204 * _e219) * _e225)), _e185, ((_e206 * _e219) * _e225), _e207);
             }
-            let _e243 = phi_409_;
-            if _e165 {
-                let _e244 = (_e150 < arrayLength((&global_2.member)));
-                if _e244 {
-                    if _e165 {
+            let _e238 = phi_396_;
+            if _e160 {
+                let _e239 = (_e145 < arrayLength((&global_2.member)));
+                if _e239 {
+                    if _e160 {
                     } else {
                         break;
                     }
-                    let _e249 = global_9.member[_e150].member.member_1;
-                    let _e254 = global_9.member[_e150].member.member_3;
-                    if (_e249 <= _e254) {
-                        let _e256 = (1u < _e118);
-                        if _e256 {
-                            if (0u < _e118) {
+                    let _e244 = global_9.member[_e145].member.member_1;
+                    let _e249 = global_9.member[_e145].member.member_3;
+                    if (_e244 <= _e249) {
+                        let _e251 = (1u < _e113);
+                        if _e251 {
+                            if (0u < _e113) {
                             } else {
                                 break;
                             }
-                            let _e260 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e260 + 1u) < _e260) {
-                                if _e256 {
+                            let _e255 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e255 + 1u) < _e255) {
+                                if _e251 {
                                 } else {
                                     break;
                                 }
-                                let _e265 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e260 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e165 {
+                        if _e160 {
                         } else {
                             break;
                         }
-                        let _e275 = global_9.member[_e150].member.member_2[0u];
-                        let _e277 = (bitcast<u32>(_e275) & 2147483647u);
-                        let _e283 = global_9.member[_e150].member.member_2[1u];
-                        let _e285 = (bitcast<u32>(_e283) & 2147483647u);
-                        let _e291 = global_9.member[_e150].member.member_2[2u];
-                        let _e293 = (bitcast<u32>(_e291) & 2147483647u);
-                        let _e299 = global_9.member[_e150].member.member[0u];
-                        let _e301 = (bitcast<u32>(_e299) & 2147483647u);
-                        let _e307 = global_9.member[_e150].member.member[1u];
-                        let _e309 = (bitcast<u32>(_e307) & 2147483647u);
-                        let _e315 = global_9.member[_e150].member.member[2u];
-                        let _e317 = (bitcast<u32>(_e315) & 2147483647u);
-                        let _e319 = select(_e285, _e277, (_e285 < _e277));
-                        let _e321 = select(_e293, _e319, (_e293 < _e319));
-                        let _e323 = select(_e301, _e321, (_e301 < _e321));
-                        let _e325 = select(_e309, _e323, (_e309 < _e323));
-                        let _e327 = select(_e317, _e325, (_e317 < _e325));
-                        let _e329 = (bitcast<u32>(_e249) & 2147483647u);
-                        let _e338 = (((select(_e329, _e327, (_e329 < _e327)) < 2139095040u) && ((bitcast<u32>(_e254) & 2147483647u) <= 2139095040u)) && (_e321 > 0u));
-                        if _e338 {
-                            let _e341 = (bitcast<u32>(bitcast<f32>(_e321)) & 2147483647u);
-                            if (_e341 >= 8388608u) {
-                                phi_559_ = (bitcast<i32>((_e341 >> bitcast<u32>(23i))) - 127i);
+                        let _e270 = global_9.member[_e145].member.member_2[0u];
+                        let _e272 = (bitcast<u32>(_e270) & 2147483647u);
+                        let _e278 = global_9.member[_e145].member.member_2[1u];
+                        let _e280 = (bitcast<u32>(_e278) & 2147483647u);
+                        let _e286 = global_9.member[_e145].member.member_2[2u];
+                        let _e288 = (bitcast<u32>(_e286) & 2147483647u);
+                        let _e294 = global_9.member[_e145].member.member[0u];
+                        let _e296 = (bitcast<u32>(_e294) & 2147483647u);
+                        let _e302 = global_9.member[_e145].member.member[1u];
+                        let _e304 = (bitcast<u32>(_e302) & 2147483647u);
+                        let _e310 = global_9.member[_e145].member.member[2u];
+                        let _e312 = (bitcast<u32>(_e310) & 2147483647u);
+                        let _e314 = select(_e280, _e272, (_e280 < _e272));
+                        let _e316 = select(_e288, _e314, (_e288 < _e314));
+                        let _e318 = select(_e296, _e316, (_e296 < _e316));
+                        let _e320 = select(_e304, _e318, (_e304 < _e318));
+                        let _e322 = select(_e312, _e320, (_e312 < _e320));
+                        let _e324 = (bitcast<u32>(_e244) & 2147483647u);
+                        let _e333 = (((select(_e324, _e322, (_e324 < _e322)) < 2139095040u) && ((bitcast<u32>(_e249) & 2147483647u) <= 2139095040u)) && (_e316 > 0u));
+                        if _e333 {
+                            let _e336 = (bitcast<u32>(bitcast<f32>(_e316)) & 2147483647u);
+                            if (_e336 >= 8388608u) {
+                                phi_546_ = (bitcast<i32>((_e336 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_559_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e341)), 32u, (_e341 == 0u))));
+                                phi_546_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e336)), 32u, (_e336 == 0u))));
                             }
-                            let _e355 = phi_559_;
-                            phi_560_ = _e355;
+                            let _e350 = phi_546_;
+                            phi_547_ = _e350;
                         } else {
-                            phi_560_ = 0i;
+                            phi_547_ = 0i;
                         }
-                        let _e357 = phi_560_;
-                        let _e358 = (_e277 == _e321);
-                        if _e358 {
+                        let _e352 = phi_547_;
+                        let _e353 = (_e272 == _e316);
+                        if _e353 {
+                            phi_557_ = true;
+                        } else {
+                            phi_557_ = (_e280 == _e316);
+                        }
+                        let _e356 = phi_557_;
+                        let _e357 = select(1u, 0u, _e353);
+                        if _e356 {
+                            let _e358 = (_e357 + 1u);
+                            phi_567_ = _e358;
+                            phi_568_ = _e358;
+                            phi_570_ = select(true, false, (_e358 == 2u));
+                        } else {
+                            phi_567_ = u32();
+                            phi_568_ = 0u;
                             phi_570_ = true;
-                        } else {
-                            phi_570_ = (_e285 == _e321);
                         }
-                        let _e361 = phi_570_;
-                        let _e362 = select(1u, 0u, _e358);
-                        if _e361 {
-                            let _e363 = (_e362 + 1u);
-                            phi_580_ = _e363;
-                            phi_581_ = _e363;
-                            phi_583_ = select(true, false, (_e363 == 2u));
+                        let _e362 = phi_567_;
+                        let _e364 = phi_568_;
+                        let _e366 = phi_570_;
+                        if _e366 {
+                            phi_575_ = (_e364 + 1u);
                         } else {
-                            phi_580_ = u32();
-                            phi_581_ = 0u;
-                            phi_583_ = true;
+                            phi_575_ = 0u;
                         }
-                        let _e367 = phi_580_;
-                        let _e369 = phi_581_;
-                        let _e371 = phi_583_;
-                        if _e371 {
-                            phi_588_ = (_e369 + 1u);
+                        let _e370 = phi_575_;
+                        let _e371 = select(_e362, _e364, _e366);
+                        let _e372 = select(_e357, select(2u, _e357, _e356), _e366);
+                        let _e373 = -(_e352);
+                        if (_e373 < -126i) {
+                            phi_607_ = -126i;
                         } else {
-                            phi_588_ = 0u;
+                            phi_607_ = select(_e373, 127i, (_e373 > 127i));
                         }
-                        let _e375 = phi_588_;
-                        let _e376 = select(_e367, _e369, _e371);
-                        let _e377 = select(_e362, select(2u, _e362, _e361), _e371);
-                        let _e378 = -(_e357);
-                        if (_e378 < -126i) {
-                            phi_621_ = -126i;
+                        let _e378 = phi_607_;
+                        let _e383 = bitcast<f32>((bitcast<u32>((_e378 + 127i)) << bitcast<u32>(23i)));
+                        let _e389 = bitcast<f32>((bitcast<u32>(((_e373 - _e378) + 127i)) << bitcast<u32>(23i)));
+                        let _e394 = global_9.member[_e145].member.member;
+                        let _e395 = (_e371 == 0u);
+                        if _e395 {
+                            phi_625_ = _e394[0];
                         } else {
-                            phi_621_ = select(_e378, 127i, (_e378 > 127i));
+                            phi_625_ = _e394[1];
                         }
-                        let _e383 = phi_621_;
-                        let _e388 = bitcast<f32>((bitcast<u32>((_e383 + 127i)) << bitcast<u32>(23i)));
-                        let _e394 = bitcast<f32>((bitcast<u32>(((_e378 - _e383) + 127i)) << bitcast<u32>(23i)));
-                        let _e399 = global_9.member[_e150].member.member;
-                        let _e400 = (_e376 == 0u);
+                        let _e399 = phi_625_;
+                        let _e400 = (_e371 == 2u);
                         if _e400 {
-                            phi_639_ = _e399[0];
+                            phi_631_ = _e394[2];
                         } else {
-                            phi_639_ = _e399[1];
+                            phi_631_ = _e399;
                         }
-                        let _e404 = phi_639_;
-                        let _e405 = (_e376 == 2u);
-                        if _e405 {
-                            phi_645_ = _e399[2];
+                        let _e403 = phi_631_;
+                        let _e404 = global_9.member[_e145].member.member_2;
+                        if _e395 {
+                            phi_642_ = _e404[0];
                         } else {
-                            phi_645_ = _e404;
+                            phi_642_ = _e404[1];
                         }
-                        let _e408 = phi_645_;
-                        let _e409 = global_9.member[_e150].member.member_2;
+                        let _e408 = phi_642_;
                         if _e400 {
-                            phi_656_ = _e409[0];
+                            phi_648_ = _e404[2];
                         } else {
-                            phi_656_ = _e409[1];
+                            phi_648_ = _e408;
                         }
-                        let _e413 = phi_656_;
-                        if _e405 {
-                            phi_662_ = _e409[2];
+                        let _e411 = phi_648_;
+                        let _e413 = ((_e411 * _e383) * _e389);
+                        let _e417 = (bitcast<f32>((bitcast<u32>(_e413) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e417 {
+                            let _e421 = (bitcast<f32>((bitcast<u32>(_e403) & 2147483647u)) * 0.00000011920929f);
+                            phi_671_ = select(0.00000000000011368684f, _e421, (_e421 > 0.00000000000011368684f));
                         } else {
-                            phi_662_ = _e413;
+                            phi_671_ = 0f;
                         }
-                        let _e416 = phi_662_;
-                        let _e418 = ((_e416 * _e388) * _e394);
-                        let _e422 = (bitcast<f32>((bitcast<u32>(_e418) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e422 {
-                            let _e426 = (bitcast<f32>((bitcast<u32>(_e408) & 2147483647u)) * 0.00000011920929f);
-                            phi_685_ = select(0.00000000000011368684f, _e426, (_e426 > 0.00000000000011368684f));
+                        let _e425 = phi_671_;
+                        let _e426 = (_e403 + _e425);
+                        let _e427 = (_e403 - _e425);
+                        let _e428 = select(_e413, 0f, _e417);
+                        if _e417 {
+                            phi_682_ = 38685626000000000000000000f;
                         } else {
-                            phi_685_ = 0f;
+                            phi_682_ = (1f / _e413);
                         }
-                        let _e430 = phi_685_;
-                        let _e431 = (_e408 + _e430);
-                        let _e432 = (_e408 - _e430);
-                        let _e433 = select(_e418, 0f, _e422);
-                        if _e422 {
-                            phi_696_ = 38685626000000000000000000f;
+                        let _e431 = phi_682_;
+                        let _e432 = (_e370 == 0u);
+                        if _e432 {
+                            phi_691_ = _e394[0];
                         } else {
-                            phi_696_ = (1f / _e418);
+                            phi_691_ = _e394[1];
                         }
-                        let _e436 = phi_696_;
-                        let _e437 = (_e375 == 0u);
+                        let _e436 = phi_691_;
+                        let _e437 = (_e370 == 2u);
                         if _e437 {
-                            phi_705_ = _e399[0];
+                            phi_697_ = _e394[2];
                         } else {
-                            phi_705_ = _e399[1];
+                            phi_697_ = _e436;
                         }
-                        let _e441 = phi_705_;
-                        let _e442 = (_e375 == 2u);
-                        if _e442 {
-                            phi_711_ = _e399[2];
+                        let _e440 = phi_697_;
+                        if _e432 {
+                            phi_708_ = _e404[0];
                         } else {
-                            phi_711_ = _e441;
+                            phi_708_ = _e404[1];
                         }
-                        let _e445 = phi_711_;
+                        let _e444 = phi_708_;
                         if _e437 {
-                            phi_722_ = _e409[0];
+                            phi_714_ = _e404[2];
                         } else {
-                            phi_722_ = _e409[1];
+                            phi_714_ = _e444;
                         }
-                        let _e449 = phi_722_;
-                        if _e442 {
-                            phi_728_ = _e409[2];
+                        let _e447 = phi_714_;
+                        let _e449 = ((_e447 * _e383) * _e389);
+                        let _e453 = (bitcast<f32>((bitcast<u32>(_e449) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e453 {
+                            let _e457 = (bitcast<f32>((bitcast<u32>(_e440) & 2147483647u)) * 0.00000011920929f);
+                            phi_737_ = select(0.00000000000011368684f, _e457, (_e457 > 0.00000000000011368684f));
                         } else {
-                            phi_728_ = _e449;
+                            phi_737_ = 0f;
                         }
-                        let _e452 = phi_728_;
-                        let _e454 = ((_e452 * _e388) * _e394);
-                        let _e458 = (bitcast<f32>((bitcast<u32>(_e454) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e458 {
-                            let _e462 = (bitcast<f32>((bitcast<u32>(_e445) & 2147483647u)) * 0.00000011920929f);
-                            phi_751_ = select(0.00000000000011368684f, _e462, (_e462 > 0.00000000000011368684f));
+                        let _e461 = phi_737_;
+                        let _e462 = (_e440 + _e461);
+                        let _e463 = (_e440 - _e461);
+                        let _e464 = select(_e449, 0f, _e453);
+                        if _e453 {
+                            phi_748_ = 38685626000000000000000000f;
                         } else {
-                            phi_751_ = 0f;
+                            phi_748_ = (1f / _e449);
                         }
-                        let _e466 = phi_751_;
-                        let _e467 = (_e445 + _e466);
-                        let _e468 = (_e445 - _e466);
-                        let _e469 = select(_e454, 0f, _e458);
-                        if _e458 {
-                            phi_762_ = 38685626000000000000000000f;
+                        let _e467 = phi_748_;
+                        let _e468 = (_e372 == 0u);
+                        if _e468 {
+                            phi_757_ = _e394[0];
                         } else {
-                            phi_762_ = (1f / _e454);
+                            phi_757_ = _e394[1];
                         }
-                        let _e472 = phi_762_;
-                        let _e473 = (_e377 == 0u);
+                        let _e472 = phi_757_;
+                        let _e473 = (_e372 == 2u);
                         if _e473 {
-                            phi_771_ = _e399[0];
+                            phi_763_ = _e394[2];
                         } else {
-                            phi_771_ = _e399[1];
+                            phi_763_ = _e472;
                         }
-                        let _e477 = phi_771_;
-                        let _e478 = (_e377 == 2u);
-                        if _e478 {
-                            phi_777_ = _e399[2];
+                        let _e476 = phi_763_;
+                        if _e468 {
+                            phi_774_ = _e404[0];
                         } else {
-                            phi_777_ = _e477;
+                            phi_774_ = _e404[1];
                         }
-                        let _e481 = phi_777_;
+                        let _e480 = phi_774_;
                         if _e473 {
-                            phi_788_ = _e409[0];
+                            phi_780_ = _e404[2];
                         } else {
-                            phi_788_ = _e409[1];
+                            phi_780_ = _e480;
                         }
-                        let _e485 = phi_788_;
-                        if _e478 {
-                            phi_794_ = _e409[2];
+                        let _e483 = phi_780_;
+                        let _e485 = ((_e483 * _e383) * _e389);
+                        let _e489 = (bitcast<f32>((bitcast<u32>(_e485) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e489 {
+                            let _e493 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) * 0.00000011920929f);
+                            phi_803_ = select(0.00000000000011368684f, _e493, (_e493 > 0.00000000000011368684f));
                         } else {
-                            phi_794_ = _e485;
+                            phi_803_ = 0f;
                         }
-                        let _e488 = phi_794_;
-                        let _e490 = ((_e488 * _e388) * _e394);
-                        let _e494 = (bitcast<f32>((bitcast<u32>(_e490) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e494 {
-                            let _e498 = (bitcast<f32>((bitcast<u32>(_e481) & 2147483647u)) * 0.00000011920929f);
-                            phi_817_ = select(0.00000000000011368684f, _e498, (_e498 > 0.00000000000011368684f));
+                        let _e497 = phi_803_;
+                        let _e498 = (_e476 + _e497);
+                        let _e499 = (_e476 - _e497);
+                        let _e500 = select(_e485, 0f, _e489);
+                        if _e489 {
+                            phi_814_ = 38685626000000000000000000f;
                         } else {
-                            phi_817_ = 0f;
+                            phi_814_ = (1f / _e485);
                         }
-                        let _e502 = phi_817_;
-                        let _e503 = (_e481 + _e502);
-                        let _e504 = (_e481 - _e502);
-                        let _e505 = select(_e490, 0f, _e494);
-                        if _e494 {
-                            phi_828_ = 38685626000000000000000000f;
+                        let _e503 = phi_814_;
+                        let _e506 = bitcast<f32>((bitcast<u32>(_e403) & 2147483647u));
+                        let _e509 = bitcast<f32>((bitcast<u32>(_e440) & 2147483647u));
+                        let _e511 = select(_e509, _e506, (_e506 > _e509));
+                        let _e514 = bitcast<f32>((bitcast<u32>(_e476) & 2147483647u));
+                        if (_e333 && (select(_e514, _e511, (_e511 > _e514)) <= 1099511600000f)) {
+                            let _e519 = (_e352 / 3i);
+                            let _e526 = bitcast<f32>((bitcast<u32>((_e519 + 127i)) << bitcast<u32>(23i)));
+                            let _e533 = bitcast<f32>((bitcast<u32>(((_e352 - (2i * _e519)) + 127i)) << bitcast<u32>(23i)));
+                            let _e534 = (((_e244 * _e526) * _e526) * _e533);
+                            let _e536 = select(340282350000000000000000000000000000000f, _e534, (_e534 < 340282350000000000000000000000000000000f));
+                            let _e541 = (((_e249 * _e526) * _e526) * _e533);
+                            let _e543 = select(340282350000000000000000000000000000000f, _e541, (_e541 < 340282350000000000000000000000000000000f));
+                            phi_914_ = select(-340282350000000000000000000000000000000f, _e543, (_e543 > -340282350000000000000000000000000000000f));
+                            phi_915_ = select(-340282350000000000000000000000000000000f, _e536, (_e536 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_828_ = (1f / _e490);
+                            phi_914_ = 0f;
+                            phi_915_ = 1f;
                         }
-                        let _e508 = phi_828_;
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e408) & 2147483647u));
-                        let _e514 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
-                        let _e516 = select(_e514, _e511, (_e511 > _e514));
-                        let _e519 = bitcast<f32>((bitcast<u32>(_e481) & 2147483647u));
-                        if (_e338 && (select(_e519, _e516, (_e516 > _e519)) <= 1099511600000f)) {
-                            let _e524 = (_e357 / 3i);
-                            let _e531 = bitcast<f32>((bitcast<u32>((_e524 + 127i)) << bitcast<u32>(23i)));
-                            let _e538 = bitcast<f32>((bitcast<u32>(((_e357 - (2i * _e524)) + 127i)) << bitcast<u32>(23i)));
-                            let _e539 = (((_e249 * _e531) * _e531) * _e538);
-                            let _e541 = select(340282350000000000000000000000000000000f, _e539, (_e539 < 340282350000000000000000000000000000000f));
-                            let _e546 = (((_e254 * _e531) * _e531) * _e538);
-                            let _e548 = select(340282350000000000000000000000000000000f, _e546, (_e546 < 340282350000000000000000000000000000000f));
-                            phi_928_ = select(-340282350000000000000000000000000000000f, _e548, (_e548 > -340282350000000000000000000000000000000f));
-                            phi_929_ = select(-340282350000000000000000000000000000000f, _e541, (_e541 > -340282350000000000000000000000000000000f));
-                        } else {
-                            phi_928_ = 0f;
-                            phi_929_ = 1f;
-                        }
-                        let _e552 = phi_928_;
-                        let _e554 = phi_929_;
+                        let _e547 = phi_914_;
+                        let _e549 = phi_915_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -597,1163 +603,1306 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e558 = (_e376 % 3u);
-                        let _e559 = (_e558 < 3u);
-                        if _e559 {
+                        let _e553 = (_e371 % 3u);
+                        let _e554 = (_e553 < 3u);
+                        if _e554 {
                         } else {
                             break;
                         }
-                        let _e561 = local_1[_e558];
-                        let _e564 = (_e375 % 3u);
-                        let _e565 = (_e564 < 3u);
-                        if _e565 {
+                        let _e556 = local_1[_e553];
+                        let _e559 = (_e370 % 3u);
+                        let _e560 = (_e559 < 3u);
+                        if _e560 {
                         } else {
                             break;
                         }
-                        let _e567 = local_1[_e564];
-                        let _e570 = (_e377 % 3u);
-                        let _e571 = (_e570 < 3u);
-                        if _e571 {
+                        let _e562 = local_1[_e559];
+                        let _e565 = (_e372 % 3u);
+                        let _e566 = (_e565 < 3u);
+                        if _e566 {
                         } else {
                             break;
                         }
-                        let _e573 = local_1[_e570];
-                        if _e559 {
+                        let _e568 = local_1[_e565];
+                        if _e554 {
                         } else {
                             break;
                         }
-                        let _e578 = local[_e558];
-                        if _e565 {
+                        let _e573 = local[_e553];
+                        if _e560 {
                         } else {
                             break;
                         }
-                        let _e582 = local[_e564];
-                        if _e571 {
+                        let _e577 = local[_e559];
+                        if _e566 {
                         } else {
                             break;
                         }
-                        let _e586 = local[_e570];
-                        phi_3940_ = false;
-                        phi_1018_ = type_42(_e552, false);
-                        phi_1021_ = type_61(type_30(vec4<f32>((f32(_e561) * _e162), (f32(_e567) * _e162), (f32(_e573) * _e162), 0f), vec4<f32>((f32(_e578) * _e162), (f32(_e582) * _e162), (f32(_e586) * _e162), 0f)), select(0u, 2147483648u, (_e103 == 0u)));
-                        phi_1023_ = ((3u * _e103) + 1u);
-                        phi_1025_ = (_e554 <= _e552);
-                        phi_1027_ = 0u;
+                        let _e581 = local[_e565];
+                        phi_4266_ = false;
+                        phi_1004_ = type_42(_e547, false);
+                        phi_1007_ = type_58(type_30(vec4<f32>((f32(_e556) * _e157), (f32(_e562) * _e157), (f32(_e568) * _e157), 0f), vec4<f32>((f32(_e573) * _e157), (f32(_e577) * _e157), (f32(_e581) * _e157), 0f)), select(0u, 2147483648u, (_e98 == 0u)));
+                        phi_1009_ = ((3u * _e98) + 1u);
+                        phi_1011_ = (_e549 <= _e547);
+                        phi_1013_ = 0u;
                         loop {
-                            let _e596 = phi_3940_;
-                            let _e598 = phi_1018_;
-                            let _e600 = phi_1021_;
-                            let _e602 = phi_1023_;
-                            let _e604 = phi_1025_;
-                            let _e606 = phi_1027_;
-                            local_14 = _e598;
-                            if _e604 {
-                                phi_1038_ = true;
+                            let _e591 = phi_4266_;
+                            let _e593 = phi_1004_;
+                            let _e595 = phi_1007_;
+                            let _e597 = phi_1009_;
+                            let _e599 = phi_1011_;
+                            let _e601 = phi_1013_;
+                            local_11 = _e593;
+                            if _e599 {
+                                phi_1024_ = true;
                             } else {
-                                phi_1038_ = (_e606 > 0u);
+                                phi_1024_ = (_e601 > 0u);
                             }
-                            let _e609 = phi_1038_;
-                            if _e609 {
-                                let _e610 = (_e602 > 0u);
-                                if _e610 {
-                                    if _e604 {
-                                        phi_1124_ = _e600;
-                                        phi_1125_ = _e604;
-                                        phi_1126_ = _e606;
+                            let _e604 = phi_1024_;
+                            if _e604 {
+                                let _e605 = (_e597 > 0u);
+                                if _e605 {
+                                    if _e599 {
+                                        phi_1110_ = _e595;
+                                        phi_1111_ = _e599;
+                                        phi_1112_ = _e601;
                                     } else {
-                                        let _e611 = (_e606 - 1u);
-                                        let _e612 = (_e611 % 128u);
-                                        let _e613 = (_e612 < 128u);
-                                        if _e613 {
+                                        let _e606 = (_e601 - 1u);
+                                        let _e607 = (_e606 % 128u);
+                                        let _e608 = (_e607 < 128u);
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e615 = local_7[_e612];
-                                        if _e613 {
+                                        let _e610 = local_7[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e617 = local_6[_e612];
-                                        if _e613 {
+                                        let _e612 = local_6[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e619 = local_5[_e612];
-                                        if _e613 {
+                                        let _e614 = local_5[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e621 = local_4[_e612];
-                                        if _e613 {
+                                        let _e616 = local_4[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e623 = local_3[_e612];
-                                        if _e613 {
+                                        let _e618 = local_3[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e625 = local_2[_e612];
-                                        if _e613 {
+                                        let _e620 = local_2[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e630 = local_8[_e612];
-                                        if _e613 {
+                                        let _e625 = local_8[_e607];
+                                        if _e608 {
                                         } else {
-                                            phi_4078_ = true;
+                                            phi_4445_ = true;
                                             break;
                                         }
-                                        let _e633 = local_9[_e612];
-                                        phi_1124_ = type_61(type_30(vec4<f32>(_e615, _e617, _e619, 0f), vec4<f32>(_e621, _e623, _e625, 0f)), _e630);
-                                        phi_1125_ = (_e633 <= _e598.member);
-                                        phi_1126_ = _e611;
+                                        let _e628 = local_9[_e607];
+                                        phi_1110_ = type_58(type_30(vec4<f32>(_e610, _e612, _e614, 0f), vec4<f32>(_e616, _e618, _e620, 0f)), _e625);
+                                        phi_1111_ = (_e628 <= _e593.member);
+                                        phi_1112_ = _e606;
                                     }
-                                    let _e637 = phi_1124_;
-                                    let _e639 = phi_1125_;
-                                    let _e641 = phi_1126_;
-                                    if _e639 {
-                                        let _e646 = (_e637.member_1 & 268435455u);
-                                        if ((_e637.member_1 & 2147483648u) != 0u) {
-                                            phi_3937_ = _e596;
-                                            phi_1145_ = _e598;
-                                            phi_1148_ = type_8(0u, ((_e637.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e632 = phi_1110_;
+                                    let _e634 = phi_1111_;
+                                    let _e636 = phi_1112_;
+                                    if _e634 {
+                                        let _e641 = (_e632.member_1 & 268435455u);
+                                        if ((_e632.member_1 & 2147483648u) != 0u) {
+                                            phi_1131_ = _e593;
+                                            phi_1134_ = type_8(0u, ((_e632.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1124 = phi_3937_;
-                                                let _e1126 = phi_1145_;
-                                                let _e1128 = phi_1148_;
-                                                local_13 = _e1126;
-                                                local_15 = _e1126;
-                                                if (_e1128.member < _e1128.member_1) {
-                                                    phi_1149_ = type_8((_e1128.member + 1u), _e1128.member_1);
-                                                    phi_1171_ = type_8(1u, _e1128.member);
+                                                let _e1119 = phi_1131_;
+                                                let _e1121 = phi_1134_;
+                                                local_10 = _e1119;
+                                                local_12 = _e1119;
+                                                if (_e1121.member < _e1121.member_1) {
+                                                    phi_1135_ = type_8((_e1121.member + 1u), _e1121.member_1);
+                                                    phi_1157_ = type_8(1u, _e1121.member);
                                                 } else {
-                                                    phi_1149_ = _e1128;
-                                                    phi_1171_ = type_8(0u, type_8().member_1);
+                                                    phi_1135_ = _e1121;
+                                                    phi_1157_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1141 = phi_1149_;
-                                                let _e1143 = phi_1171_;
-                                                let _e1147 = (bitcast<i32>(_e1143.member) != 0i);
-                                                if _e1147 {
-                                                    let _e1152 = (_e637.member.member_1.x - _e637.member.member.x);
-                                                    let _e1155 = (_e637.member.member_1.y - _e637.member.member.y);
-                                                    let _e1158 = (_e637.member.member_1.z - _e637.member.member.z);
-                                                    let _e1160 = select(_e1155, _e1152, (_e1152 > _e1155));
-                                                    let _e1162 = select(_e1158, _e1160, (_e1160 > _e1158));
-                                                    let _e1164 = (_e1162 < (1024f * _e162));
-                                                    if _e1164 {
-                                                        phi_1212_ = 0u;
+                                                let _e1134 = phi_1135_;
+                                                let _e1136 = phi_1157_;
+                                                let _e1140 = (bitcast<i32>(_e1136.member) != 0i);
+                                                if _e1140 {
+                                                    let _e1145 = (_e632.member.member_1.x - _e632.member.member.x);
+                                                    let _e1148 = (_e632.member.member_1.y - _e632.member.member.y);
+                                                    let _e1151 = (_e632.member.member_1.z - _e632.member.member.z);
+                                                    let _e1153 = select(_e1148, _e1145, (_e1145 > _e1148));
+                                                    let _e1155 = select(_e1151, _e1153, (_e1153 > _e1151));
+                                                    let _e1157 = (_e1155 < (1024f * _e157));
+                                                    if _e1157 {
+                                                        phi_1198_ = 0u;
                                                     } else {
-                                                        phi_1212_ = select(2u, 1u, (_e1162 < (2097152f * _e162)));
+                                                        phi_1198_ = select(2u, 1u, (_e1155 < (2097152f * _e157)));
                                                     }
-                                                    let _e1169 = phi_1212_;
-                                                    switch bitcast<i32>(_e1169) {
+                                                    let _e1162 = phi_1198_;
+                                                    switch bitcast<i32>(_e1162) {
                                                         case 0: {
-                                                            phi_1218_ = 1u;
+                                                            phi_1204_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1218_ = 2u;
+                                                            phi_1204_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1218_ = 3u;
+                                                            phi_1204_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1218_ = u32();
+                                                            phi_1204_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1172 = phi_1218_;
-                                                    switch bitcast<i32>(_e1169) {
+                                                    let _e1165 = phi_1204_;
+                                                    switch bitcast<i32>(_e1162) {
                                                         case 0: {
-                                                            phi_1228_ = 1u;
+                                                            phi_1214_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1228_ = 2u;
+                                                            phi_1214_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1228_ = 3u;
+                                                            phi_1214_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1228_ = u32();
+                                                            phi_1214_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1179 = phi_1228_;
-                                                    let _e1181 = ((_e646 + (_e1143.member_1 * ((3u * _e1172) + 1u))) + (3u * _e1179));
-                                                    let _e1182 = (_e1181 < _e106);
-                                                    if _e1182 {
-                                                        if _e1182 {
+                                                    let _e1172 = phi_1214_;
+                                                    let _e1174 = ((_e641 + (_e1136.member_1 * ((3u * _e1165) + 1u))) + (3u * _e1172));
+                                                    let _e1175 = (_e1174 < _e101);
+                                                    if _e1175 {
+                                                        if _e1175 {
                                                         } else {
-                                                            phi_4002_ = true;
+                                                            phi_4260_ = true;
                                                             break;
                                                         }
-                                                        let _e1184 = global_10.member[_e1181];
-                                                        phi_1244_ = _e1184;
+                                                        let _e1177 = global_10.member[_e1174];
+                                                        phi_1230_ = _e1177;
                                                     } else {
-                                                        phi_1244_ = 4294967295u;
+                                                        phi_1230_ = 4294967295u;
                                                     }
-                                                    let _e1186 = phi_1244_;
-                                                    local_10 = array<u32, 3>(_e376, _e375, _e377);
-                                                    if _e1164 {
-                                                        phi_1281_ = 0u;
+                                                    let _e1179 = phi_1230_;
+                                                    if _e1157 {
+                                                        phi_1263_ = 0u;
                                                     } else {
-                                                        phi_1281_ = select(2u, 1u, (_e1162 < (2097152f * _e162)));
+                                                        phi_1263_ = select(2u, 1u, (_e1155 < (2097152f * _e157)));
                                                     }
-                                                    let _e1192 = phi_1281_;
-                                                    switch bitcast<i32>(_e1192) {
+                                                    let _e1184 = phi_1263_;
+                                                    switch bitcast<i32>(_e1184) {
                                                         case 0: {
-                                                            phi_1287_ = 1u;
+                                                            phi_1269_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1287_ = 2u;
+                                                            phi_1269_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1287_ = 3u;
+                                                            phi_1269_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1287_ = u32();
+                                                            phi_1269_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1195 = phi_1287_;
-                                                    switch bitcast<i32>(_e1192) {
+                                                    let _e1187 = phi_1269_;
+                                                    let _e1191 = (_e641 + (_e1136.member_1 * ((3u * _e1187) + 1u)));
+                                                    switch bitcast<i32>(_e1184) {
                                                         case 0: {
-                                                            phi_1297_ = 1u;
-                                                            break;
-                                                        }
-                                                        case 1: {
-                                                            phi_1297_ = 2u;
-                                                            break;
-                                                        }
-                                                        case 2: {
-                                                            phi_1297_ = 3u;
-                                                            break;
-                                                        }
-                                                        default: {
-                                                            phi_1297_ = u32();
-                                                            break;
-                                                        }
-                                                    }
-                                                    let _e1202 = phi_1297_;
-                                                    local_12 = array<f32, 4>(_e637.member.member.x, _e637.member.member.y, _e637.member.member.z, _e637.member.member.w);
-                                                    local_11[0u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_11[1u] = array<f32, 3>(0f, 0f, 0f);
-                                                    local_11[2u] = array<f32, 3>(0f, 0f, 0f);
-                                                    phi_3922_ = _e1124;
-                                                    phi_1313_ = type_8(0u, 3u);
-                                                    loop {
-                                                        let _e1216 = phi_3922_;
-                                                        let _e1218 = phi_1313_;
-                                                        if (_e1218.member < _e1218.member_1) {
-                                                            phi_1314_ = type_8((_e1218.member + 1u), _e1218.member_1);
-                                                            phi_1337_ = type_8(1u, _e1218.member);
-                                                        } else {
-                                                            phi_1314_ = _e1218;
-                                                            phi_1337_ = type_8(0u, type_8().member_1);
-                                                        }
-                                                        let _e1231 = phi_1314_;
-                                                        let _e1233 = phi_1337_;
-                                                        let _e1237 = (bitcast<i32>(_e1233.member) != 0i);
-                                                        if _e1237 {
-                                                            let _e1239 = ((_e646 + (_e1143.member_1 * ((3u * _e1195) + 1u))) + (_e1233.member_1 * _e1202));
-                                                            let _e1240 = (_e1239 < _e106);
-                                                            if _e1240 {
-                                                                if _e1240 {
+                                                            let _e1457 = (_e1191 < _e101);
+                                                            if _e1457 {
+                                                                if _e1457 {
                                                                 } else {
-                                                                    phi_4000_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1242 = global_10.member[_e1239];
-                                                                phi_1360_ = _e1242;
+                                                                let _e1459 = global_10.member[_e1191];
+                                                                phi_1293_ = _e1459;
                                                             } else {
-                                                                phi_1360_ = 0u;
+                                                                phi_1293_ = 0u;
                                                             }
-                                                            let _e1244 = phi_1360_;
-                                                            let _e1245 = (_e1239 + 1u);
-                                                            let _e1246 = (_e1245 < _e106);
-                                                            if _e1246 {
-                                                                if _e1246 {
+                                                            let _e1461 = phi_1293_;
+                                                            let _e1463 = ((10u * _e371) & 31u);
+                                                            let _e1472 = ((10u * _e370) & 31u);
+                                                            let _e1481 = ((10u * _e372) & 31u);
+                                                            let _e1490 = (_e1191 + 1u);
+                                                            let _e1491 = (_e1490 < _e101);
+                                                            if _e1491 {
+                                                                if _e1491 {
                                                                 } else {
-                                                                    phi_4000_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1248 = global_10.member[_e1245];
-                                                                phi_1375_ = _e1248;
+                                                                let _e1493 = global_10.member[_e1490];
+                                                                phi_1336_ = _e1493;
                                                             } else {
-                                                                phi_1375_ = 0u;
+                                                                phi_1336_ = 0u;
                                                             }
-                                                            let _e1250 = phi_1375_;
-                                                            phi_1378_ = type_8(0u, 3u);
-                                                            loop {
-                                                                let _e1252 = phi_1378_;
-                                                                if (_e1252.member < _e1252.member_1) {
-                                                                    phi_1379_ = type_8((_e1252.member + 1u), _e1252.member_1);
-                                                                    phi_1402_ = type_8(1u, _e1252.member);
+                                                            let _e1495 = phi_1336_;
+                                                            let _e1518 = (_e1191 + 2u);
+                                                            let _e1519 = (_e1518 < _e101);
+                                                            if _e1519 {
+                                                                if _e1519 {
                                                                 } else {
-                                                                    phi_1379_ = _e1252;
-                                                                    phi_1402_ = type_8(0u, type_8().member_1);
+                                                                    phi_4260_ = true;
+                                                                    break;
                                                                 }
-                                                                let _e1265 = phi_1379_;
-                                                                let _e1267 = phi_1402_;
-                                                                let _e1271 = (bitcast<i32>(_e1267.member) != 0i);
-                                                                if _e1271 {
-                                                                    let _e1272 = (_e1267.member_1 < 3u);
-                                                                    if _e1272 {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1274 = local_10[_e1267.member_1];
-                                                                    if (_e1267.member_1 < 4u) {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    let _e1277 = local_12[_e1267.member_1];
-                                                                    switch bitcast<i32>(_e1192) {
-                                                                        case 0: {
-                                                                            phi_1472_ = (_e1277 + (f32(((_e1244 >> bitcast<u32>(((10u * _e1274) & 31u))) & 1023u)) * _e162));
-                                                                            break;
-                                                                        }
-                                                                        case 1: {
-                                                                            if (_e1274 == 0u) {
-                                                                                phi_1449_ = _e1244;
-                                                                            } else {
-                                                                                if (_e1274 == 1u) {
-                                                                                    phi_1448_ = ((_e1244 >> bitcast<u32>(21i)) | (_e1250 << bitcast<u32>(11i)));
-                                                                                } else {
-                                                                                    phi_1448_ = (_e1250 >> bitcast<u32>(10i));
-                                                                                }
-                                                                                let _e1298 = phi_1448_;
-                                                                                phi_1449_ = _e1298;
-                                                                            }
-                                                                            let _e1300 = phi_1449_;
-                                                                            phi_1472_ = (_e1277 + (f32((_e1300 & 2097151u)) * _e162));
-                                                                            break;
-                                                                        }
-                                                                        case 2: {
-                                                                            let _e1279 = (_e1239 + _e1274);
-                                                                            let _e1280 = (_e1279 < _e106);
-                                                                            if _e1280 {
-                                                                                if _e1280 {
-                                                                                } else {
-                                                                                    phi_3915_ = true;
-                                                                                    break;
-                                                                                }
-                                                                                let _e1282 = global_10.member[_e1279];
-                                                                                phi_1468_ = _e1282;
-                                                                            } else {
-                                                                                phi_1468_ = 0u;
-                                                                            }
-                                                                            let _e1284 = phi_1468_;
-                                                                            phi_1472_ = (f32(bitcast<i32>(_e1284)) * _e162);
-                                                                            break;
-                                                                        }
-                                                                        default: {
-                                                                            phi_1472_ = f32();
-                                                                            break;
-                                                                        }
-                                                                    }
-                                                                    let _e1314 = phi_1472_;
-                                                                    if (_e1233.member_1 < 3u) {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    if _e1272 {
-                                                                    } else {
-                                                                        phi_3915_ = true;
-                                                                        break;
-                                                                    }
-                                                                    local_11[_e1233.member_1][_e1267.member_1] = _e1314;
-                                                                }
-                                                                continue;
-                                                                continuing {
-                                                                    phi_1378_ = _e1265;
-                                                                    phi_3915_ = _e1216;
-                                                                    break if !(_e1271);
-                                                                }
+                                                                let _e1521 = global_10.member[_e1518];
+                                                                phi_1379_ = _e1521;
+                                                            } else {
+                                                                phi_1379_ = 0u;
                                                             }
-                                                            let _e1320 = phi_3915_;
-                                                            phi_4000_ = _e1320;
-                                                            if _e1320 {
-                                                                break;
-                                                            }
-                                                            phi_4001_ = _e1320;
-                                                        } else {
-                                                            phi_4001_ = _e1216;
+                                                            let _e1523 = phi_1379_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>(((_e1461 >> bitcast<u32>(_e1463)) & 1023u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>(((_e1461 >> bitcast<u32>(_e1472)) & 1023u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>(((_e1461 >> bitcast<u32>(_e1481)) & 1023u))) * _e157))), array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>(((_e1495 >> bitcast<u32>(_e1463)) & 1023u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>(((_e1495 >> bitcast<u32>(_e1472)) & 1023u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>(((_e1495 >> bitcast<u32>(_e1481)) & 1023u))) * _e157))), array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>(((_e1523 >> bitcast<u32>(_e1463)) & 1023u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>(((_e1523 >> bitcast<u32>(_e1472)) & 1023u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>(((_e1523 >> bitcast<u32>(_e1481)) & 1023u))) * _e157))));
+                                                            break;
                                                         }
-                                                        let _e1322 = phi_4001_;
-                                                        continue;
-                                                        continuing {
-                                                            phi_3922_ = _e1322;
-                                                            phi_1313_ = _e1231;
-                                                            phi_4000_ = _e1322;
-                                                            break if !(_e1237);
+                                                        case 1: {
+                                                            let _e1280 = (_e1191 < _e101);
+                                                            if _e1280 {
+                                                                if _e1280 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1282 = global_10.member[_e1191];
+                                                                phi_1422_ = _e1282;
+                                                            } else {
+                                                                phi_1422_ = 0u;
+                                                            }
+                                                            let _e1284 = phi_1422_;
+                                                            let _e1285 = (_e1191 + 1u);
+                                                            let _e1286 = (_e1285 < _e101);
+                                                            if _e1286 {
+                                                                if _e1286 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1288 = global_10.member[_e1285];
+                                                                phi_1437_ = _e1288;
+                                                            } else {
+                                                                phi_1437_ = 0u;
+                                                            }
+                                                            let _e1290 = phi_1437_;
+                                                            let _e1291 = (_e371 == 1u);
+                                                            if _e1291 {
+                                                                phi_1447_ = ((_e1284 >> bitcast<u32>(21i)) | (_e1290 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1447_ = (_e1290 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1300 = phi_1447_;
+                                                            let _e1307 = (_e370 == 1u);
+                                                            if _e1307 {
+                                                                phi_1467_ = ((_e1284 >> bitcast<u32>(21i)) | (_e1290 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1467_ = (_e1290 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1316 = phi_1467_;
+                                                            let _e1323 = (_e372 == 1u);
+                                                            if _e1323 {
+                                                                phi_1487_ = ((_e1284 >> bitcast<u32>(21i)) | (_e1290 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1487_ = (_e1290 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1332 = phi_1487_;
+                                                            let _e1340 = (_e1191 + 2u);
+                                                            let _e1341 = (_e1340 < _e101);
+                                                            if _e1341 {
+                                                                if _e1341 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1343 = global_10.member[_e1340];
+                                                                phi_1513_ = _e1343;
+                                                            } else {
+                                                                phi_1513_ = 0u;
+                                                            }
+                                                            let _e1345 = phi_1513_;
+                                                            let _e1346 = (_e1191 + 3u);
+                                                            let _e1347 = (_e1346 < _e101);
+                                                            if _e1347 {
+                                                                if _e1347 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1349 = global_10.member[_e1346];
+                                                                phi_1528_ = _e1349;
+                                                            } else {
+                                                                phi_1528_ = 0u;
+                                                            }
+                                                            let _e1351 = phi_1528_;
+                                                            if _e1291 {
+                                                                phi_1538_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1538_ = (_e1351 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1360 = phi_1538_;
+                                                            if _e1307 {
+                                                                phi_1558_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1558_ = (_e1351 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1375 = phi_1558_;
+                                                            if _e1323 {
+                                                                phi_1578_ = ((_e1345 >> bitcast<u32>(21i)) | (_e1351 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1578_ = (_e1351 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1390 = phi_1578_;
+                                                            let _e1398 = (_e1191 + 4u);
+                                                            let _e1399 = (_e1398 < _e101);
+                                                            if _e1399 {
+                                                                if _e1399 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1401 = global_10.member[_e1398];
+                                                                phi_1604_ = _e1401;
+                                                            } else {
+                                                                phi_1604_ = 0u;
+                                                            }
+                                                            let _e1403 = phi_1604_;
+                                                            let _e1404 = (_e1191 + 5u);
+                                                            let _e1405 = (_e1404 < _e101);
+                                                            if _e1405 {
+                                                                if _e1405 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1407 = global_10.member[_e1404];
+                                                                phi_1619_ = _e1407;
+                                                            } else {
+                                                                phi_1619_ = 0u;
+                                                            }
+                                                            let _e1409 = phi_1619_;
+                                                            if _e1291 {
+                                                                phi_1629_ = ((_e1403 >> bitcast<u32>(21i)) | (_e1409 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1629_ = (_e1409 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1418 = phi_1629_;
+                                                            if _e1307 {
+                                                                phi_1649_ = ((_e1403 >> bitcast<u32>(21i)) | (_e1409 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1649_ = (_e1409 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1433 = phi_1649_;
+                                                            if _e1323 {
+                                                                phi_1669_ = ((_e1403 >> bitcast<u32>(21i)) | (_e1409 << bitcast<u32>(11i)));
+                                                            } else {
+                                                                phi_1669_ = (_e1409 >> bitcast<u32>(10i));
+                                                            }
+                                                            let _e1448 = phi_1669_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>((select(_e1300, _e1284, _e395) & 2097151u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>((select(_e1316, _e1284, _e432) & 2097151u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>((select(_e1332, _e1284, _e468) & 2097151u))) * _e157))), array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>((select(_e1360, _e1345, _e395) & 2097151u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>((select(_e1375, _e1345, _e432) & 2097151u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>((select(_e1390, _e1345, _e468) & 2097151u))) * _e157))), array<f32, 3>((_e632.member.member.x + (f32(bitcast<i32>((select(_e1418, _e1403, _e395) & 2097151u))) * _e157)), (_e632.member.member.y + (f32(bitcast<i32>((select(_e1433, _e1403, _e432) & 2097151u))) * _e157)), (_e632.member.member.z + (f32(bitcast<i32>((select(_e1448, _e1403, _e468) & 2097151u))) * _e157))));
+                                                            break;
+                                                        }
+                                                        case 2: {
+                                                            let _e1193 = (_e1191 + _e371);
+                                                            let _e1194 = (_e1193 < _e101);
+                                                            if _e1194 {
+                                                                if _e1194 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1196 = global_10.member[_e1193];
+                                                                phi_1696_ = _e1196;
+                                                            } else {
+                                                                phi_1696_ = 0u;
+                                                            }
+                                                            let _e1198 = phi_1696_;
+                                                            let _e1202 = (_e1191 + _e370);
+                                                            let _e1203 = (_e1202 < _e101);
+                                                            if _e1203 {
+                                                                if _e1203 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1205 = global_10.member[_e1202];
+                                                                phi_1714_ = _e1205;
+                                                            } else {
+                                                                phi_1714_ = 0u;
+                                                            }
+                                                            let _e1207 = phi_1714_;
+                                                            let _e1211 = (_e1191 + _e372);
+                                                            let _e1212 = (_e1211 < _e101);
+                                                            if _e1212 {
+                                                                if _e1212 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1214 = global_10.member[_e1211];
+                                                                phi_1732_ = _e1214;
+                                                            } else {
+                                                                phi_1732_ = 0u;
+                                                            }
+                                                            let _e1216 = phi_1732_;
+                                                            let _e1221 = (_e1191 + 3u);
+                                                            let _e1222 = (_e1221 + _e371);
+                                                            let _e1223 = (_e1222 < _e101);
+                                                            if _e1223 {
+                                                                if _e1223 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1225 = global_10.member[_e1222];
+                                                                phi_1752_ = _e1225;
+                                                            } else {
+                                                                phi_1752_ = 0u;
+                                                            }
+                                                            let _e1227 = phi_1752_;
+                                                            let _e1231 = (_e1221 + _e370);
+                                                            let _e1232 = (_e1231 < _e101);
+                                                            if _e1232 {
+                                                                if _e1232 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1234 = global_10.member[_e1231];
+                                                                phi_1770_ = _e1234;
+                                                            } else {
+                                                                phi_1770_ = 0u;
+                                                            }
+                                                            let _e1236 = phi_1770_;
+                                                            let _e1240 = (_e1221 + _e372);
+                                                            let _e1241 = (_e1240 < _e101);
+                                                            if _e1241 {
+                                                                if _e1241 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1243 = global_10.member[_e1240];
+                                                                phi_1788_ = _e1243;
+                                                            } else {
+                                                                phi_1788_ = 0u;
+                                                            }
+                                                            let _e1245 = phi_1788_;
+                                                            let _e1250 = (_e1191 + 6u);
+                                                            let _e1251 = (_e1250 + _e371);
+                                                            let _e1252 = (_e1251 < _e101);
+                                                            if _e1252 {
+                                                                if _e1252 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1254 = global_10.member[_e1251];
+                                                                phi_1808_ = _e1254;
+                                                            } else {
+                                                                phi_1808_ = 0u;
+                                                            }
+                                                            let _e1256 = phi_1808_;
+                                                            let _e1260 = (_e1250 + _e370);
+                                                            let _e1261 = (_e1260 < _e101);
+                                                            if _e1261 {
+                                                                if _e1261 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1263 = global_10.member[_e1260];
+                                                                phi_1826_ = _e1263;
+                                                            } else {
+                                                                phi_1826_ = 0u;
+                                                            }
+                                                            let _e1265 = phi_1826_;
+                                                            let _e1269 = (_e1250 + _e372);
+                                                            let _e1270 = (_e1269 < _e101);
+                                                            if _e1270 {
+                                                                if _e1270 {
+                                                                } else {
+                                                                    phi_4260_ = true;
+                                                                    break;
+                                                                }
+                                                                let _e1272 = global_10.member[_e1269];
+                                                                phi_1844_ = _e1272;
+                                                            } else {
+                                                                phi_1844_ = 0u;
+                                                            }
+                                                            let _e1274 = phi_1844_;
+                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1198)) * _e157), (f32(bitcast<i32>(_e1207)) * _e157), (f32(bitcast<i32>(_e1216)) * _e157)), array<f32, 3>((f32(bitcast<i32>(_e1227)) * _e157), (f32(bitcast<i32>(_e1236)) * _e157), (f32(bitcast<i32>(_e1245)) * _e157)), array<f32, 3>((f32(bitcast<i32>(_e1256)) * _e157), (f32(bitcast<i32>(_e1265)) * _e157), (f32(bitcast<i32>(_e1274)) * _e157)));
+                                                            break;
+                                                        }
+                                                        default: {
+                                                            phi_1850_ = array<array<f32, 3>, 3>();
+                                                            break;
                                                         }
                                                     }
-                                                    let _e1325 = phi_4000_;
-                                                    phi_4002_ = _e1325;
-                                                    if _e1325 {
-                                                        break;
-                                                    }
-                                                    let _e1326 = local_11;
-                                                    let _e1342 = (_e1326[0][2] - _e481);
-                                                    let _e1345 = (((_e1326[0][0] - _e408) * _e505) - (_e1342 * _e433));
-                                                    let _e1348 = (((_e1326[0][1] - _e445) * _e505) - (_e1342 * _e469));
-                                                    let _e1351 = (_e1326[1][2] - _e481);
-                                                    let _e1354 = (((_e1326[1][0] - _e408) * _e505) - (_e1351 * _e433));
-                                                    let _e1357 = (((_e1326[1][1] - _e445) * _e505) - (_e1351 * _e469));
-                                                    let _e1360 = (_e1326[2][2] - _e481);
-                                                    let _e1363 = (((_e1326[2][0] - _e408) * _e505) - (_e1360 * _e433));
-                                                    let _e1366 = (((_e1326[2][1] - _e445) * _e505) - (_e1360 * _e469));
-                                                    let _e1367 = (_e1363 * _e1357);
-                                                    let _e1368 = (_e1366 * _e1354);
-                                                    let _e1369 = (_e1345 * _e1366);
-                                                    let _e1370 = (_e1348 * _e1363);
-                                                    let _e1371 = (_e1354 * _e1348);
-                                                    let _e1372 = (_e1357 * _e1345);
-                                                    let _e1377 = (((_e1367 >= _e1368) && (_e1369 >= _e1370)) && (_e1371 >= _e1372));
-                                                    if (_e1377 || (((_e1367 <= _e1368) && (_e1369 <= _e1370)) && (_e1371 <= _e1372))) {
-                                                        let _e1384 = select(-1f, 1f, _e1377);
-                                                        let _e1386 = ((_e1367 - _e1368) * _e1384);
-                                                        let _e1388 = select(0f, _e1386, (_e1386 > 0f));
-                                                        let _e1390 = ((_e1369 - _e1370) * _e1384);
-                                                        let _e1392 = select(0f, _e1390, (_e1390 > 0f));
-                                                        let _e1394 = ((_e1371 - _e1372) * _e1384);
-                                                        let _e1396 = select(0f, _e1394, (_e1394 > 0f));
-                                                        let _e1398 = ((_e1388 + _e1392) + _e1396);
-                                                        if (_e1398 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2067_ = type_21();
-                                                            phi_2068_ = true;
+                                                    let _e1548 = phi_1850_;
+                                                    let _e1556 = (_e1548[0][2] - _e476);
+                                                    let _e1559 = (((_e1548[0][0] - _e403) * _e500) - (_e1556 * _e428));
+                                                    let _e1562 = (((_e1548[0][1] - _e440) * _e500) - (_e1556 * _e464));
+                                                    let _e1569 = (_e1548[1][2] - _e476);
+                                                    let _e1572 = (((_e1548[1][0] - _e403) * _e500) - (_e1569 * _e428));
+                                                    let _e1575 = (((_e1548[1][1] - _e440) * _e500) - (_e1569 * _e464));
+                                                    let _e1582 = (_e1548[2][2] - _e476);
+                                                    let _e1585 = (((_e1548[2][0] - _e403) * _e500) - (_e1582 * _e428));
+                                                    let _e1588 = (((_e1548[2][1] - _e440) * _e500) - (_e1582 * _e464));
+                                                    let _e1589 = (_e1585 * _e1575);
+                                                    let _e1590 = (_e1588 * _e1572);
+                                                    let _e1591 = (_e1559 * _e1588);
+                                                    let _e1592 = (_e1562 * _e1585);
+                                                    let _e1593 = (_e1572 * _e1562);
+                                                    let _e1594 = (_e1575 * _e1559);
+                                                    let _e1599 = (((_e1589 >= _e1590) && (_e1591 >= _e1592)) && (_e1593 >= _e1594));
+                                                    if (_e1599 || (((_e1589 <= _e1590) && (_e1591 <= _e1592)) && (_e1593 <= _e1594))) {
+                                                        let _e1606 = select(-1f, 1f, _e1599);
+                                                        let _e1608 = ((_e1589 - _e1590) * _e1606);
+                                                        let _e1610 = select(0f, _e1608, (_e1608 > 0f));
+                                                        let _e1612 = ((_e1591 - _e1592) * _e1606);
+                                                        let _e1614 = select(0f, _e1612, (_e1612 > 0f));
+                                                        let _e1616 = ((_e1593 - _e1594) * _e1606);
+                                                        let _e1618 = select(0f, _e1616, (_e1616 > 0f));
+                                                        let _e1620 = ((_e1610 + _e1614) + _e1618);
+                                                        if (_e1620 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2416_ = type_21();
+                                                            phi_2417_ = true;
                                                         } else {
-                                                            let _e1401 = select(_e1326[1][0], _e1326[0][0], (_e1326[0][0] < _e1326[1][0]));
-                                                            let _e1405 = select(_e1326[1][0], _e1326[0][0], (_e1326[0][0] > _e1326[1][0]));
-                                                            let _e1409 = select(_e1326[1][1], _e1326[0][1], (_e1326[0][1] < _e1326[1][1]));
-                                                            let _e1413 = select(_e1326[1][1], _e1326[0][1], (_e1326[0][1] > _e1326[1][1]));
-                                                            let _e1417 = select(_e1326[1][2], _e1326[0][2], (_e1326[0][2] < _e1326[1][2]));
-                                                            let _e1421 = select(_e1326[1][2], _e1326[0][2], (_e1326[0][2] > _e1326[1][2]));
-                                                            let _e1426 = ((select(_e1326[2][0], _e1401, (_e1401 < _e1326[2][0])) - _e431) * _e436);
-                                                            let _e1427 = ((select(_e1326[2][0], _e1405, (_e1405 > _e1326[2][0])) - _e432) * _e436);
-                                                            let _e1430 = ((select(_e1326[2][1], _e1409, (_e1409 < _e1326[2][1])) - _e467) * _e472);
-                                                            let _e1431 = ((select(_e1326[2][1], _e1413, (_e1413 > _e1326[2][1])) - _e468) * _e472);
-                                                            let _e1434 = ((select(_e1326[2][2], _e1417, (_e1417 < _e1326[2][2])) - _e503) * _e508);
-                                                            let _e1435 = ((select(_e1326[2][2], _e1421, (_e1421 > _e1326[2][2])) - _e504) * _e508);
-                                                            let _e1437 = select(_e1435, _e1434, (_e1434 < _e1435));
-                                                            let _e1439 = select(_e1435, _e1434, (_e1434 > _e1435));
-                                                            let _e1441 = select(_e1427, _e1426, (_e1426 < _e1427));
-                                                            let _e1443 = select(_e1431, _e1430, (_e1430 < _e1431));
-                                                            let _e1445 = select(_e1443, _e1441, (_e1441 > _e1443));
-                                                            let _e1447 = select(_e1437, _e1445, (_e1445 > _e1437));
-                                                            let _e1449 = select(_e1427, _e1426, (_e1426 > _e1427));
-                                                            let _e1451 = select(_e1431, _e1430, (_e1430 > _e1431));
-                                                            let _e1453 = select(_e1451, _e1449, (_e1449 < _e1451));
-                                                            let _e1455 = select(_e1439, _e1453, (_e1453 < _e1439));
-                                                            let _e1456 = -(_e1437);
-                                                            let _e1462 = select(_e554, _e1447, (_e1447 > _e554));
-                                                            if (_e1462 > (_e1455 + (select(_e1456, _e1439, (_e1439 > _e1456)) * 0.0000019073523f))) {
-                                                                phi_2062_ = type_21();
-                                                                phi_2063_ = true;
+                                                            let _e1623 = select(_e1548[1][0], _e1548[0][0], (_e1548[0][0] < _e1548[1][0]));
+                                                            let _e1627 = select(_e1548[1][0], _e1548[0][0], (_e1548[0][0] > _e1548[1][0]));
+                                                            let _e1631 = select(_e1548[1][1], _e1548[0][1], (_e1548[0][1] < _e1548[1][1]));
+                                                            let _e1635 = select(_e1548[1][1], _e1548[0][1], (_e1548[0][1] > _e1548[1][1]));
+                                                            let _e1639 = select(_e1548[1][2], _e1548[0][2], (_e1548[0][2] < _e1548[1][2]));
+                                                            let _e1643 = select(_e1548[1][2], _e1548[0][2], (_e1548[0][2] > _e1548[1][2]));
+                                                            let _e1648 = ((select(_e1548[2][0], _e1623, (_e1623 < _e1548[2][0])) - _e426) * _e431);
+                                                            let _e1649 = ((select(_e1548[2][0], _e1627, (_e1627 > _e1548[2][0])) - _e427) * _e431);
+                                                            let _e1652 = ((select(_e1548[2][1], _e1631, (_e1631 < _e1548[2][1])) - _e462) * _e467);
+                                                            let _e1653 = ((select(_e1548[2][1], _e1635, (_e1635 > _e1548[2][1])) - _e463) * _e467);
+                                                            let _e1656 = ((select(_e1548[2][2], _e1639, (_e1639 < _e1548[2][2])) - _e498) * _e503);
+                                                            let _e1657 = ((select(_e1548[2][2], _e1643, (_e1643 > _e1548[2][2])) - _e499) * _e503);
+                                                            let _e1659 = select(_e1657, _e1656, (_e1656 < _e1657));
+                                                            let _e1661 = select(_e1657, _e1656, (_e1656 > _e1657));
+                                                            let _e1663 = select(_e1649, _e1648, (_e1648 < _e1649));
+                                                            let _e1665 = select(_e1653, _e1652, (_e1652 < _e1653));
+                                                            let _e1667 = select(_e1665, _e1663, (_e1663 > _e1665));
+                                                            let _e1669 = select(_e1659, _e1667, (_e1667 > _e1659));
+                                                            let _e1671 = select(_e1649, _e1648, (_e1648 > _e1649));
+                                                            let _e1673 = select(_e1653, _e1652, (_e1652 > _e1653));
+                                                            let _e1675 = select(_e1673, _e1671, (_e1671 < _e1673));
+                                                            let _e1677 = select(_e1661, _e1675, (_e1675 < _e1661));
+                                                            let _e1678 = -(_e1659);
+                                                            let _e1684 = select(_e549, _e1669, (_e1669 > _e549));
+                                                            if (_e1684 > (_e1677 + (select(_e1678, _e1661, (_e1661 > _e1678)) * 0.0000019073523f))) {
+                                                                phi_2411_ = type_21();
+                                                                phi_2412_ = true;
                                                             } else {
-                                                                let _e1464 = (_e1462 > _e1126.member);
-                                                                if _e1464 {
-                                                                    phi_2061_ = type_21();
+                                                                let _e1686 = (_e1684 > _e1119.member);
+                                                                if _e1686 {
+                                                                    phi_2410_ = type_21();
                                                                 } else {
-                                                                    let _e1468 = (_e1326[1][0] - _e1326[0][0]);
-                                                                    let _e1469 = (_e1326[1][1] - _e1326[0][1]);
-                                                                    let _e1470 = (_e1326[1][2] - _e1326[0][2]);
-                                                                    let _e1471 = vec3<f32>(_e1468, _e1469, _e1470);
-                                                                    let _e1472 = (_e1326[2][0] - _e1326[1][0]);
-                                                                    let _e1473 = (_e1326[2][1] - _e1326[1][1]);
-                                                                    let _e1474 = (_e1326[2][2] - _e1326[1][2]);
-                                                                    let _e1475 = vec3<f32>(_e1472, _e1473, _e1474);
-                                                                    let _e1476 = (_e1326[0][0] - _e1326[2][0]);
-                                                                    let _e1477 = (_e1326[0][1] - _e1326[2][1]);
-                                                                    let _e1478 = (_e1326[0][2] - _e1326[2][2]);
-                                                                    let _e1479 = vec3<f32>(_e1476, _e1477, _e1478);
-                                                                    let _e1482 = bitcast<f32>((bitcast<u32>(_e1468) & 2147483647u));
-                                                                    let _e1485 = bitcast<f32>((bitcast<u32>(_e1469) & 2147483647u));
-                                                                    let _e1487 = select(_e1485, _e1482, (_e1482 > _e1485));
-                                                                    let _e1490 = bitcast<f32>((bitcast<u32>(_e1470) & 2147483647u));
-                                                                    let _e1492 = select(_e1490, _e1487, (_e1487 > _e1490));
-                                                                    let _e1495 = bitcast<f32>((bitcast<u32>(_e1472) & 2147483647u));
-                                                                    let _e1498 = bitcast<f32>((bitcast<u32>(_e1473) & 2147483647u));
-                                                                    let _e1500 = select(_e1498, _e1495, (_e1495 > _e1498));
-                                                                    let _e1503 = bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u));
-                                                                    let _e1505 = select(_e1503, _e1500, (_e1500 > _e1503));
-                                                                    let _e1508 = bitcast<f32>((bitcast<u32>(_e1476) & 2147483647u));
-                                                                    let _e1511 = bitcast<f32>((bitcast<u32>(_e1477) & 2147483647u));
-                                                                    let _e1513 = select(_e1511, _e1508, (_e1508 > _e1511));
-                                                                    let _e1516 = bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u));
-                                                                    let _e1518 = select(_e1516, _e1513, (_e1513 > _e1516));
-                                                                    let _e1520 = select(_e1505, _e1492, (_e1492 > _e1505));
-                                                                    let _e1522 = select(_e1518, _e1520, (_e1520 > _e1518));
-                                                                    if (_e1492 == _e1522) {
-                                                                        phi_1972_ = _e1475;
-                                                                        phi_1973_ = _e1479;
+                                                                    let _e1690 = (_e1548[1][0] - _e1548[0][0]);
+                                                                    let _e1691 = (_e1548[1][1] - _e1548[0][1]);
+                                                                    let _e1692 = (_e1548[1][2] - _e1548[0][2]);
+                                                                    let _e1693 = vec3<f32>(_e1690, _e1691, _e1692);
+                                                                    let _e1694 = (_e1548[2][0] - _e1548[1][0]);
+                                                                    let _e1695 = (_e1548[2][1] - _e1548[1][1]);
+                                                                    let _e1696 = (_e1548[2][2] - _e1548[1][2]);
+                                                                    let _e1697 = vec3<f32>(_e1694, _e1695, _e1696);
+                                                                    let _e1698 = (_e1548[0][0] - _e1548[2][0]);
+                                                                    let _e1699 = (_e1548[0][1] - _e1548[2][1]);
+                                                                    let _e1700 = (_e1548[0][2] - _e1548[2][2]);
+                                                                    let _e1701 = vec3<f32>(_e1698, _e1699, _e1700);
+                                                                    let _e1704 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
+                                                                    let _e1707 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
+                                                                    let _e1709 = select(_e1707, _e1704, (_e1704 > _e1707));
+                                                                    let _e1712 = bitcast<f32>((bitcast<u32>(_e1692) & 2147483647u));
+                                                                    let _e1714 = select(_e1712, _e1709, (_e1709 > _e1712));
+                                                                    let _e1717 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
+                                                                    let _e1720 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
+                                                                    let _e1722 = select(_e1720, _e1717, (_e1717 > _e1720));
+                                                                    let _e1725 = bitcast<f32>((bitcast<u32>(_e1696) & 2147483647u));
+                                                                    let _e1727 = select(_e1725, _e1722, (_e1722 > _e1725));
+                                                                    let _e1730 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
+                                                                    let _e1733 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
+                                                                    let _e1735 = select(_e1733, _e1730, (_e1730 > _e1733));
+                                                                    let _e1738 = bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u));
+                                                                    let _e1740 = select(_e1738, _e1735, (_e1735 > _e1738));
+                                                                    let _e1742 = select(_e1727, _e1714, (_e1714 > _e1727));
+                                                                    let _e1744 = select(_e1740, _e1742, (_e1742 > _e1740));
+                                                                    if (_e1714 == _e1744) {
+                                                                        phi_2321_ = _e1697;
+                                                                        phi_2322_ = _e1701;
                                                                     } else {
-                                                                        let _e1525 = vec3((_e1505 == _e1522));
-                                                                        phi_1972_ = select(_e1471, _e1479, _e1525);
-                                                                        phi_1973_ = select(_e1475, _e1471, _e1525);
+                                                                        let _e1747 = vec3((_e1727 == _e1744));
+                                                                        phi_2321_ = select(_e1693, _e1701, _e1747);
+                                                                        phi_2322_ = select(_e1697, _e1693, _e1747);
                                                                     }
-                                                                    let _e1529 = phi_1972_;
-                                                                    let _e1531 = phi_1973_;
-                                                                    let _e1538 = ((_e1529.y * _e1531.z) - (_e1531.y * _e1529.z));
-                                                                    let _e1543 = ((_e1529.z * _e1531.x) - (_e1531.z * _e1529.x));
-                                                                    let _e1546 = ((_e1529.x * _e1531.y) - (_e1531.x * _e1529.y));
-                                                                    if (_e1388 >= _e1392) {
-                                                                        phi_2004_ = select(true, false, (_e1388 >= _e1396));
+                                                                    let _e1751 = phi_2321_;
+                                                                    let _e1753 = phi_2322_;
+                                                                    let _e1760 = ((_e1751.y * _e1753.z) - (_e1753.y * _e1751.z));
+                                                                    let _e1765 = ((_e1751.z * _e1753.x) - (_e1753.z * _e1751.x));
+                                                                    let _e1768 = ((_e1751.x * _e1753.y) - (_e1753.x * _e1751.y));
+                                                                    if (_e1610 >= _e1614) {
+                                                                        phi_2353_ = select(true, false, (_e1610 >= _e1618));
                                                                     } else {
-                                                                        phi_2004_ = true;
+                                                                        phi_2353_ = true;
                                                                     }
-                                                                    let _e1551 = phi_2004_;
-                                                                    if _e1551 {
-                                                                        phi_2013_ = select(vec3<f32>(_e1326[2][0], _e1326[2][1], _e1326[2][2]), vec3<f32>(_e1326[1][0], _e1326[1][1], _e1326[1][2]), vec3((_e1392 >= _e1396)));
+                                                                    let _e1773 = phi_2353_;
+                                                                    if _e1773 {
+                                                                        phi_2362_ = select(vec3<f32>(_e1548[2][0], _e1548[2][1], _e1548[2][2]), vec3<f32>(_e1548[1][0], _e1548[1][1], _e1548[1][2]), vec3((_e1614 >= _e1618)));
                                                                     } else {
-                                                                        phi_2013_ = vec3<f32>(_e1326[0][0], _e1326[0][1], _e1326[0][2]);
+                                                                        phi_2362_ = vec3<f32>(_e1548[0][0], _e1548[0][1], _e1548[0][2]);
                                                                     }
-                                                                    let _e1556 = phi_2013_;
-                                                                    let _e1573 = ((((_e1538 * (_e1556.x - _e408)) + (_e1543 * (_e1556.y - _e445))) + (_e1546 * (_e1556.z - _e481))) / (((_e1538 * _e433) + (_e1543 * _e469)) + (_e1546 * _e505)));
-                                                                    let _e1575 = select(_e1455, _e1573, (_e1573 < _e1455));
-                                                                    let _e1577 = select(_e1447, _e1575, (_e1575 > _e1447));
-                                                                    if (_e1577 >= _e554) {
-                                                                        let _e1579 = (_e1577 <= _e1126.member);
-                                                                        if _e1579 {
-                                                                            let _e1580 = (1f / _e1398);
-                                                                            phi_2053_ = type_21(_e1577, (_e1392 * _e1580), (_e1396 * _e1580), _e1186);
+                                                                    let _e1778 = phi_2362_;
+                                                                    let _e1795 = ((((_e1760 * (_e1778.x - _e403)) + (_e1765 * (_e1778.y - _e440))) + (_e1768 * (_e1778.z - _e476))) / (((_e1760 * _e428) + (_e1765 * _e464)) + (_e1768 * _e500)));
+                                                                    let _e1797 = select(_e1677, _e1795, (_e1795 < _e1677));
+                                                                    let _e1799 = select(_e1669, _e1797, (_e1797 > _e1669));
+                                                                    if (_e1799 >= _e549) {
+                                                                        let _e1801 = (_e1799 <= _e1119.member);
+                                                                        if _e1801 {
+                                                                            let _e1802 = (1f / _e1620);
+                                                                            phi_2402_ = type_21(_e1799, (_e1614 * _e1802), (_e1618 * _e1802), _e1179);
                                                                         } else {
-                                                                            phi_2053_ = type_21();
+                                                                            phi_2402_ = type_21();
                                                                         }
-                                                                        let _e1585 = phi_2053_;
-                                                                        phi_2055_ = _e1585;
-                                                                        phi_2056_ = select(true, false, _e1579);
+                                                                        let _e1807 = phi_2402_;
+                                                                        phi_2404_ = _e1807;
+                                                                        phi_2405_ = select(true, false, _e1801);
                                                                     } else {
-                                                                        phi_2055_ = type_21();
-                                                                        phi_2056_ = true;
+                                                                        phi_2404_ = type_21();
+                                                                        phi_2405_ = true;
                                                                     }
-                                                                    let _e1588 = phi_2055_;
-                                                                    let _e1590 = phi_2056_;
-                                                                    if _e1590 {
-                                                                        phi_2060_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                    let _e1810 = phi_2404_;
+                                                                    let _e1812 = phi_2405_;
+                                                                    if _e1812 {
+                                                                        phi_2409_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                                     } else {
-                                                                        phi_2060_ = _e1588;
+                                                                        phi_2409_ = _e1810;
                                                                     }
-                                                                    let _e1592 = phi_2060_;
-                                                                    phi_2061_ = _e1592;
+                                                                    let _e1814 = phi_2409_;
+                                                                    phi_2410_ = _e1814;
                                                                 }
-                                                                let _e1594 = phi_2061_;
-                                                                phi_2062_ = _e1594;
-                                                                phi_2063_ = _e1464;
+                                                                let _e1816 = phi_2410_;
+                                                                phi_2411_ = _e1816;
+                                                                phi_2412_ = _e1686;
                                                             }
-                                                            let _e1596 = phi_2062_;
-                                                            let _e1598 = phi_2063_;
-                                                            phi_2067_ = _e1596;
-                                                            phi_2068_ = _e1598;
+                                                            let _e1818 = phi_2411_;
+                                                            let _e1820 = phi_2412_;
+                                                            phi_2416_ = _e1818;
+                                                            phi_2417_ = _e1820;
                                                         }
-                                                        let _e1600 = phi_2067_;
-                                                        let _e1602 = phi_2068_;
-                                                        phi_2072_ = _e1600;
-                                                        phi_2073_ = _e1602;
+                                                        let _e1822 = phi_2416_;
+                                                        let _e1824 = phi_2417_;
+                                                        phi_2421_ = _e1822;
+                                                        phi_2422_ = _e1824;
                                                     } else {
-                                                        phi_2072_ = type_21();
-                                                        phi_2073_ = true;
+                                                        phi_2421_ = type_21();
+                                                        phi_2422_ = true;
                                                     }
-                                                    let _e1604 = phi_2072_;
-                                                    let _e1606 = phi_2073_;
-                                                    if _e1606 {
-                                                        phi_2077_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1826 = phi_2421_;
+                                                    let _e1828 = phi_2422_;
+                                                    if _e1828 {
+                                                        phi_2426_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2077_ = _e1604;
+                                                        phi_2426_ = _e1826;
                                                     }
-                                                    let _e1608 = phi_2077_;
-                                                    if (_e1608.member_3 != 4294967295u) {
-                                                        if (_e1186 == _e171) {
-                                                            phi_2406_ = false;
+                                                    let _e1830 = phi_2426_;
+                                                    if (_e1830.member_3 != 4294967295u) {
+                                                        if (_e1179 == _e166) {
+                                                            phi_2755_ = false;
                                                         } else {
-                                                            let _e1612 = (_e1186 < arrayLength((&global_5.member)));
-                                                            if _e1612 {
-                                                                if _e1612 {
+                                                            let _e1834 = (_e1179 < arrayLength((&global_5.member)));
+                                                            if _e1834 {
+                                                                if _e1834 {
                                                                 } else {
-                                                                    phi_4002_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1614 = global_5.member[_e1186];
-                                                                phi_2100_ = _e1614;
+                                                                let _e1836 = global_5.member[_e1179];
+                                                                phi_2449_ = _e1836;
                                                             } else {
-                                                                phi_2100_ = 4294967295u;
+                                                                phi_2449_ = 4294967295u;
                                                             }
-                                                            let _e1616 = phi_2100_;
-                                                            let _e1617 = (_e1616 < arrayLength((&global_6.member)));
-                                                            if _e1617 {
-                                                                if _e1617 {
+                                                            let _e1838 = phi_2449_;
+                                                            let _e1839 = (_e1838 < arrayLength((&global_6.member)));
+                                                            if _e1839 {
+                                                                if _e1839 {
                                                                 } else {
-                                                                    phi_4002_ = true;
+                                                                    phi_4260_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1619 = global_6.member[_e1616];
-                                                                phi_2114_ = _e1619;
+                                                                let _e1841 = global_6.member[_e1838];
+                                                                phi_2463_ = _e1841;
                                                             } else {
-                                                                phi_2114_ = 0i;
+                                                                phi_2463_ = 0i;
                                                             }
-                                                            let _e1621 = phi_2114_;
-                                                            let _e1622 = (_e1621 == 0i);
-                                                            if _e1622 {
-                                                                phi_2405_ = true;
+                                                            let _e1843 = phi_2463_;
+                                                            let _e1844 = (_e1843 == 0i);
+                                                            if _e1844 {
+                                                                phi_2754_ = true;
                                                             } else {
-                                                                if _e400 {
-                                                                    phi_2135_ = vec3<f32>(_e1326[0][0], _e1326[0][1], _e1326[0][2]);
+                                                                if _e395 {
+                                                                    phi_2484_ = vec3<f32>(_e1548[0][0], _e1548[0][1], _e1548[0][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2134_ = vec3<f32>(_e1326[0][2], _e1326[0][0], _e1326[0][1]);
+                                                                    if (_e371 == 1u) {
+                                                                        phi_2483_ = vec3<f32>(_e1548[0][2], _e1548[0][0], _e1548[0][1]);
                                                                     } else {
-                                                                        phi_2134_ = vec3<f32>(_e1326[0][1], _e1326[0][2], _e1326[0][0]);
+                                                                        phi_2483_ = vec3<f32>(_e1548[0][1], _e1548[0][2], _e1548[0][0]);
                                                                     }
-                                                                    let _e1627 = phi_2134_;
-                                                                    phi_2135_ = _e1627;
+                                                                    let _e1849 = phi_2483_;
+                                                                    phi_2484_ = _e1849;
                                                                 }
-                                                                let _e1630 = phi_2135_;
-                                                                if _e400 {
-                                                                    phi_2152_ = vec3<f32>(_e1326[1][0], _e1326[1][1], _e1326[1][2]);
+                                                                let _e1852 = phi_2484_;
+                                                                if _e395 {
+                                                                    phi_2501_ = vec3<f32>(_e1548[1][0], _e1548[1][1], _e1548[1][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2151_ = vec3<f32>(_e1326[1][2], _e1326[1][0], _e1326[1][1]);
+                                                                    if (_e371 == 1u) {
+                                                                        phi_2500_ = vec3<f32>(_e1548[1][2], _e1548[1][0], _e1548[1][1]);
                                                                     } else {
-                                                                        phi_2151_ = vec3<f32>(_e1326[1][1], _e1326[1][2], _e1326[1][0]);
+                                                                        phi_2500_ = vec3<f32>(_e1548[1][1], _e1548[1][2], _e1548[1][0]);
                                                                     }
-                                                                    let _e1635 = phi_2151_;
-                                                                    phi_2152_ = _e1635;
+                                                                    let _e1857 = phi_2500_;
+                                                                    phi_2501_ = _e1857;
                                                                 }
-                                                                let _e1638 = phi_2152_;
-                                                                if _e400 {
-                                                                    phi_2169_ = vec3<f32>(_e1326[2][0], _e1326[2][1], _e1326[2][2]);
+                                                                let _e1860 = phi_2501_;
+                                                                if _e395 {
+                                                                    phi_2518_ = vec3<f32>(_e1548[2][0], _e1548[2][1], _e1548[2][2]);
                                                                 } else {
-                                                                    if (_e376 == 1u) {
-                                                                        phi_2168_ = vec3<f32>(_e1326[2][2], _e1326[2][0], _e1326[2][1]);
+                                                                    if (_e371 == 1u) {
+                                                                        phi_2517_ = vec3<f32>(_e1548[2][2], _e1548[2][0], _e1548[2][1]);
                                                                     } else {
-                                                                        phi_2168_ = vec3<f32>(_e1326[2][1], _e1326[2][2], _e1326[2][0]);
+                                                                        phi_2517_ = vec3<f32>(_e1548[2][1], _e1548[2][2], _e1548[2][0]);
                                                                     }
-                                                                    let _e1643 = phi_2168_;
-                                                                    phi_2169_ = _e1643;
+                                                                    let _e1865 = phi_2517_;
+                                                                    phi_2518_ = _e1865;
                                                                 }
-                                                                let _e1646 = phi_2169_;
-                                                                let _e1649 = (_e1638.x - _e1630.x);
-                                                                let _e1652 = (_e1638.y - _e1630.y);
-                                                                let _e1655 = (_e1638.z - _e1630.z);
-                                                                let _e1657 = (_e1646.x - _e1630.x);
-                                                                let _e1659 = (_e1646.y - _e1630.y);
-                                                                let _e1661 = (_e1646.z - _e1630.z);
-                                                                if (_e243.member_1 == 1u) {
-                                                                    phi_2205_ = (vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]) - _e1630);
+                                                                let _e1868 = phi_2518_;
+                                                                let _e1871 = (_e1860.x - _e1852.x);
+                                                                let _e1874 = (_e1860.y - _e1852.y);
+                                                                let _e1877 = (_e1860.z - _e1852.z);
+                                                                let _e1879 = (_e1868.x - _e1852.x);
+                                                                let _e1881 = (_e1868.y - _e1852.y);
+                                                                let _e1883 = (_e1868.z - _e1852.z);
+                                                                if (_e238.member_1 == 1u) {
+                                                                    phi_2554_ = (vec3<f32>(_e238.member[0], _e238.member[1], _e238.member[2]) - _e1852);
                                                                 } else {
-                                                                    phi_2205_ = vec3<f32>(_e243.member[0], _e243.member[1], _e243.member[2]);
+                                                                    phi_2554_ = vec3<f32>(_e238.member[0], _e238.member[1], _e238.member[2]);
                                                                 }
-                                                                let _e1676 = phi_2205_;
-                                                                let _e1682 = bitcast<f32>((bitcast<u32>((_e1649 * _e1659)) ^ _e243.member_3[0]));
-                                                                let _e1686 = bitcast<f32>((bitcast<u32>((_e1652 * _e1657)) ^ _e243.member_3[0]));
-                                                                let _e1690 = bitcast<f32>((bitcast<u32>((_e1652 * _e1661)) ^ _e243.member_3[0]));
-                                                                let _e1694 = bitcast<f32>((bitcast<u32>((_e1655 * _e1659)) ^ _e243.member_3[0]));
-                                                                let _e1698 = bitcast<f32>((bitcast<u32>((_e1655 * _e1657)) ^ _e243.member_3[0]));
-                                                                let _e1702 = bitcast<f32>((bitcast<u32>((_e1649 * _e1661)) ^ _e243.member_3[0]));
-                                                                let _e1703 = (_e1690 - _e1694);
-                                                                let _e1704 = (_e1698 - _e1702);
-                                                                let _e1705 = (_e1682 - _e1686);
-                                                                let _e1729 = (bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u)));
-                                                                let _e1736 = (bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1702) & 2147483647u)));
-                                                                let _e1743 = (bitcast<f32>((bitcast<u32>(_e1682) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1686) & 2147483647u)));
-                                                                if (_e243.member_2 == 0f) {
-                                                                    phi_2387_ = 0f;
+                                                                let _e1898 = phi_2554_;
+                                                                let _e1904 = bitcast<f32>((bitcast<u32>((_e1871 * _e1881)) ^ _e238.member_3[0]));
+                                                                let _e1908 = bitcast<f32>((bitcast<u32>((_e1874 * _e1879)) ^ _e238.member_3[0]));
+                                                                let _e1912 = bitcast<f32>((bitcast<u32>((_e1874 * _e1883)) ^ _e238.member_3[0]));
+                                                                let _e1916 = bitcast<f32>((bitcast<u32>((_e1877 * _e1881)) ^ _e238.member_3[0]));
+                                                                let _e1920 = bitcast<f32>((bitcast<u32>((_e1877 * _e1879)) ^ _e238.member_3[0]));
+                                                                let _e1924 = bitcast<f32>((bitcast<u32>((_e1871 * _e1883)) ^ _e238.member_3[0]));
+                                                                let _e1925 = (_e1912 - _e1916);
+                                                                let _e1926 = (_e1920 - _e1924);
+                                                                let _e1927 = (_e1904 - _e1908);
+                                                                let _e1951 = (bitcast<f32>((bitcast<u32>(_e1912) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1916) & 2147483647u)));
+                                                                let _e1958 = (bitcast<f32>((bitcast<u32>(_e1920) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1924) & 2147483647u)));
+                                                                let _e1965 = (bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u)));
+                                                                if (_e238.member_2 == 0f) {
+                                                                    phi_2736_ = 0f;
                                                                 } else {
-                                                                    let _e1773 = bitcast<f32>((bitcast<u32>(_e1703) & 2147483647u));
-                                                                    let _e1776 = bitcast<f32>((bitcast<u32>(_e1704) & 2147483647u));
-                                                                    let _e1779 = bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u));
-                                                                    let _e1781 = select(_e1779, _e1776, (_e1776 > _e1779));
-                                                                    let _e1785 = select(_e1779, _e1776, (_e1776 < _e1779));
-                                                                    let _e1789 = select(_e1776, _e1773, (_e1773 < _e1776));
-                                                                    let _e1791 = select(_e1776, _e1773, (_e1773 > _e1776));
-                                                                    let _e1793 = select(_e1779, _e1791, (_e1791 < _e1779));
-                                                                    phi_2387_ = bitcast<f32>((bitcast<u32>((_e243.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1781, _e1773, (_e1773 > _e1781)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1793, _e1789, (_e1789 > _e1793)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1785, _e1773, (_e1773 < _e1785)))) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1729 + _e1736) + _e1743))) ^ _e243.member_3[0]))) * 1.0000005f)) ^ _e243.member_3[0])))) ^ _e243.member_3[0]));
+                                                                    let _e1995 = bitcast<f32>((bitcast<u32>(_e1925) & 2147483647u));
+                                                                    let _e1998 = bitcast<f32>((bitcast<u32>(_e1926) & 2147483647u));
+                                                                    let _e2001 = bitcast<f32>((bitcast<u32>(_e1927) & 2147483647u));
+                                                                    let _e2003 = select(_e2001, _e1998, (_e1998 > _e2001));
+                                                                    let _e2007 = select(_e2001, _e1998, (_e1998 < _e2001));
+                                                                    let _e2011 = select(_e1998, _e1995, (_e1995 < _e1998));
+                                                                    let _e2013 = select(_e1998, _e1995, (_e1995 > _e1998));
+                                                                    let _e2015 = select(_e2001, _e2013, (_e2013 < _e2001));
+                                                                    phi_2736_ = bitcast<f32>((bitcast<u32>((_e238.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2003, _e1995, (_e1995 > _e2003)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2015, _e2011, (_e2011 > _e2015)))) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2007, _e1995, (_e1995 < _e2007)))) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1951 + _e1958) + _e1965))) ^ _e238.member_3[0]))) * 1.0000005f)) ^ _e238.member_3[0])))) ^ _e238.member_3[0]));
                                                                 }
-                                                                let _e1820 = phi_2387_;
-                                                                phi_2405_ = (_e1622 || !(((((bitcast<f32>((bitcast<u32>((_e1676.x * _e1703)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1676.y * _e1704)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1676.z * _e1705)) ^ _e243.member_3[0]))) * f32(-(_e1621))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1676.x) & 2147483647u)) * _e1729)) ^ _e243.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1676.y) & 2147483647u)) * _e1736)) ^ _e243.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1676.z) & 2147483647u)) * _e1743)) ^ _e243.member_3[0]))))) ^ _e243.member_3[0])) + _e1820) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2042 = phi_2736_;
+                                                                phi_2754_ = (_e1844 || !(((((bitcast<f32>((bitcast<u32>((_e1898.x * _e1925)) ^ _e238.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1898.y * _e1926)) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1898.z * _e1927)) ^ _e238.member_3[0]))) * f32(-(_e1843))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1898.x) & 2147483647u)) * _e1951)) ^ _e238.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1898.y) & 2147483647u)) * _e1958)) ^ _e238.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1898.z) & 2147483647u)) * _e1965)) ^ _e238.member_3[0]))))) ^ _e238.member_3[0])) + _e2042) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1834 = phi_2405_;
-                                                            phi_2406_ = _e1834;
+                                                            let _e2056 = phi_2754_;
+                                                            phi_2755_ = _e2056;
                                                         }
-                                                        let _e1836 = phi_2406_;
-                                                        if _e1836 {
-                                                            phi_2411_ = type_42(_e1126.member, true);
+                                                        let _e2058 = phi_2755_;
+                                                        if _e2058 {
+                                                            phi_2760_ = type_42(_e1119.member, true);
                                                         } else {
-                                                            phi_2411_ = _e1126;
+                                                            phi_2760_ = _e1119;
                                                         }
-                                                        let _e1841 = phi_2411_;
-                                                        phi_2412_ = _e1841;
+                                                        let _e2063 = phi_2760_;
+                                                        phi_2761_ = _e2063;
                                                     } else {
-                                                        phi_2412_ = _e1126;
+                                                        phi_2761_ = _e1119;
                                                     }
-                                                    let _e1843 = phi_2412_;
-                                                    phi_4003_ = _e1325;
-                                                    phi_1146_ = _e1843;
+                                                    let _e2065 = phi_2761_;
+                                                    phi_1132_ = _e2065;
                                                 } else {
-                                                    phi_4003_ = _e1124;
-                                                    phi_1146_ = type_42();
+                                                    phi_1132_ = type_42();
                                                 }
-                                                let _e1845 = phi_4003_;
-                                                let _e1847 = phi_1146_;
+                                                let _e2067 = phi_1132_;
                                                 continue;
                                                 continuing {
-                                                    phi_3937_ = _e1845;
-                                                    phi_1145_ = _e1847;
-                                                    phi_1148_ = _e1141;
-                                                    phi_4002_ = _e1845;
-                                                    break if !(_e1147);
+                                                    phi_1131_ = _e2067;
+                                                    phi_1134_ = _e1134;
+                                                    phi_4260_ = _e591;
+                                                    break if !(_e1140);
                                                 }
                                             }
-                                            let _e1850 = phi_4002_;
-                                            phi_4078_ = _e1850;
-                                            if _e1850 {
+                                            let _e2070 = phi_4260_;
+                                            phi_4445_ = _e2070;
+                                            if _e2070 {
                                                 break;
                                             }
-                                            let _e1852 = local_13;
-                                            phi_4082_ = _e1850;
-                                            let _e2064 = local_15;
-                                            phi_3653_ = _e2064;
-                                            phi_3654_ = _e637;
-                                            phi_3655_ = false;
-                                            phi_3656_ = select(_e641, 0u, _e1852.member_1);
+                                            let _e2072 = local_10;
+                                            phi_4449_ = _e2070;
+                                            let _e2293 = local_12;
+                                            phi_4002_ = _e2293;
+                                            phi_4003_ = _e632;
+                                            phi_4004_ = false;
+                                            phi_4005_ = select(_e636, 0u, _e2072.member_1);
                                         } else {
-                                            if (_e637.member_1 >= _e103) {
-                                                phi_3209_ = type_62(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_61(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_61(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e632.member_1 >= _e98) {
+                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e637.member_1 < _e103) {
+                                                if (_e632.member_1 < _e98) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e653 = (_e376 * 2u);
-                                                let _e655 = ((1u + _e653) % 7u);
-                                                if (_e655 < 7u) {
+                                                let _e648 = (_e371 * 2u);
+                                                let _e650 = ((1u + _e648) % 7u);
+                                                if (_e650 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e660 = global_8.member[_e637.member_1][_e655];
-                                                let _e662 = ((_e653 + 2u) % 7u);
-                                                if (_e662 < 7u) {
+                                                let _e655 = global_8.member[_e632.member_1][_e650];
+                                                let _e657 = ((_e648 + 2u) % 7u);
+                                                if (_e657 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e667 = global_8.member[_e637.member_1][_e662];
-                                                let _e668 = (_e375 * 2u);
-                                                let _e670 = ((1u + _e668) % 7u);
-                                                if (_e670 < 7u) {
+                                                let _e662 = global_8.member[_e632.member_1][_e657];
+                                                let _e663 = (_e370 * 2u);
+                                                let _e665 = ((1u + _e663) % 7u);
+                                                if (_e665 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e675 = global_8.member[_e637.member_1][_e670];
-                                                let _e677 = ((_e668 + 2u) % 7u);
-                                                if (_e677 < 7u) {
+                                                let _e670 = global_8.member[_e632.member_1][_e665];
+                                                let _e672 = ((_e663 + 2u) % 7u);
+                                                if (_e672 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e682 = global_8.member[_e637.member_1][_e677];
-                                                let _e683 = (_e377 * 2u);
-                                                let _e685 = ((1u + _e683) % 7u);
-                                                if (_e685 < 7u) {
+                                                let _e677 = global_8.member[_e632.member_1][_e672];
+                                                let _e678 = (_e372 * 2u);
+                                                let _e680 = ((1u + _e678) % 7u);
+                                                if (_e680 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e690 = global_8.member[_e637.member_1][_e685];
-                                                let _e692 = ((_e683 + 2u) % 7u);
-                                                if (_e692 < 7u) {
+                                                let _e685 = global_8.member[_e632.member_1][_e680];
+                                                let _e687 = ((_e678 + 2u) % 7u);
+                                                if (_e687 < 7u) {
                                                 } else {
-                                                    phi_4078_ = true;
+                                                    phi_4445_ = true;
                                                     break;
                                                 }
-                                                let _e697 = global_8.member[_e637.member_1][_e692];
-                                                let _e720 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.x - _e637.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e721 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.y - _e637.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e722 = (bitcast<f32>((bitcast<u32>((_e637.member.member_1.z - _e637.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e724 = select(_e162, _e720, (_e720 > _e162));
-                                                let _e726 = select(_e162, _e721, (_e721 > _e162));
-                                                let _e728 = select(_e162, _e722, (_e722 > _e162));
-                                                let _e753 = bitcast<u32>((f32(bitcast<i32>((_e660 & 2097151u))) * _e724));
-                                                let _e758 = (bitcast<i32>((_e660 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e761 = bitcast<f32>((_e753 & bitcast<u32>(_e758)));
-                                                let _e762 = bitcast<u32>((f32(bitcast<i32>((_e675 & 2097151u))) * _e726));
-                                                let _e767 = (bitcast<i32>((_e675 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e770 = bitcast<f32>((_e762 & bitcast<u32>(_e767)));
-                                                let _e771 = bitcast<u32>((f32(bitcast<i32>((_e690 & 2097151u))) * _e728));
-                                                let _e776 = (bitcast<i32>((_e690 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
-                                                let _e783 = bitcast<f32>((_e753 & bitcast<u32>(~(_e758))));
-                                                let _e787 = bitcast<f32>((_e762 & bitcast<u32>(~(_e767))));
-                                                let _e791 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
-                                                let _e792 = bitcast<u32>((f32(bitcast<i32>((_e667 & 2097151u))) * _e724));
-                                                let _e797 = (bitcast<i32>((_e667 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e800 = bitcast<f32>((_e792 & bitcast<u32>(_e797)));
-                                                let _e801 = bitcast<u32>((f32(bitcast<i32>((_e682 & 2097151u))) * _e726));
-                                                let _e806 = (bitcast<i32>((_e682 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e809 = bitcast<f32>((_e801 & bitcast<u32>(_e806)));
-                                                let _e810 = bitcast<u32>((f32(bitcast<i32>((_e697 & 2097151u))) * _e728));
-                                                let _e815 = (bitcast<i32>((_e697 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e818 = bitcast<f32>((_e810 & bitcast<u32>(_e815)));
-                                                let _e822 = bitcast<f32>((_e792 & bitcast<u32>(~(_e797))));
-                                                let _e826 = bitcast<f32>((_e801 & bitcast<u32>(~(_e806))));
-                                                let _e830 = bitcast<f32>((_e810 & bitcast<u32>(~(_e815))));
-                                                let _e831 = (_e637.member.member.x + _e761);
-                                                let _e832 = (_e637.member.member.y + _e770);
-                                                let _e833 = (_e637.member.member.z + _e779);
-                                                let _e836 = (_e637.member.member_1.x - _e800);
-                                                let _e837 = (_e637.member.member_1.y - _e809);
-                                                let _e838 = (_e637.member.member_1.z - _e818);
-                                                let _e857 = (_e836 - _e831);
-                                                let _e858 = (_e837 - _e832);
-                                                let _e859 = (_e838 - _e833);
-                                                let _e861 = select(_e858, _e857, (_e857 > _e858));
-                                                let _e863 = select(_e859, _e861, (_e861 > _e859));
-                                                if (_e863 < (1024f * _e162)) {
-                                                    phi_2910_ = 0u;
+                                                let _e692 = global_8.member[_e632.member_1][_e687];
+                                                let _e715 = (bitcast<f32>((bitcast<u32>((_e632.member.member_1.x - _e632.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e716 = (bitcast<f32>((bitcast<u32>((_e632.member.member_1.y - _e632.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e717 = (bitcast<f32>((bitcast<u32>((_e632.member.member_1.z - _e632.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e719 = select(_e157, _e715, (_e715 > _e157));
+                                                let _e721 = select(_e157, _e716, (_e716 > _e157));
+                                                let _e723 = select(_e157, _e717, (_e717 > _e157));
+                                                let _e748 = bitcast<u32>((f32(bitcast<i32>((_e655 & 2097151u))) * _e719));
+                                                let _e753 = (bitcast<i32>((_e655 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e756 = bitcast<f32>((_e748 & bitcast<u32>(_e753)));
+                                                let _e757 = bitcast<u32>((f32(bitcast<i32>((_e670 & 2097151u))) * _e721));
+                                                let _e762 = (bitcast<i32>((_e670 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e765 = bitcast<f32>((_e757 & bitcast<u32>(_e762)));
+                                                let _e766 = bitcast<u32>((f32(bitcast<i32>((_e685 & 2097151u))) * _e723));
+                                                let _e771 = (bitcast<i32>((_e685 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e774 = bitcast<f32>((_e766 & bitcast<u32>(_e771)));
+                                                let _e778 = bitcast<f32>((_e748 & bitcast<u32>(~(_e753))));
+                                                let _e782 = bitcast<f32>((_e757 & bitcast<u32>(~(_e762))));
+                                                let _e786 = bitcast<f32>((_e766 & bitcast<u32>(~(_e771))));
+                                                let _e787 = bitcast<u32>((f32(bitcast<i32>((_e662 & 2097151u))) * _e719));
+                                                let _e792 = (bitcast<i32>((_e662 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e795 = bitcast<f32>((_e787 & bitcast<u32>(_e792)));
+                                                let _e796 = bitcast<u32>((f32(bitcast<i32>((_e677 & 2097151u))) * _e721));
+                                                let _e801 = (bitcast<i32>((_e677 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e804 = bitcast<f32>((_e796 & bitcast<u32>(_e801)));
+                                                let _e805 = bitcast<u32>((f32(bitcast<i32>((_e692 & 2097151u))) * _e723));
+                                                let _e810 = (bitcast<i32>((_e692 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e813 = bitcast<f32>((_e805 & bitcast<u32>(_e810)));
+                                                let _e817 = bitcast<f32>((_e787 & bitcast<u32>(~(_e792))));
+                                                let _e821 = bitcast<f32>((_e796 & bitcast<u32>(~(_e801))));
+                                                let _e825 = bitcast<f32>((_e805 & bitcast<u32>(~(_e810))));
+                                                let _e826 = (_e632.member.member.x + _e756);
+                                                let _e827 = (_e632.member.member.y + _e765);
+                                                let _e828 = (_e632.member.member.z + _e774);
+                                                let _e831 = (_e632.member.member_1.x - _e795);
+                                                let _e832 = (_e632.member.member_1.y - _e804);
+                                                let _e833 = (_e632.member.member_1.z - _e813);
+                                                let _e852 = (_e831 - _e826);
+                                                let _e853 = (_e832 - _e827);
+                                                let _e854 = (_e833 - _e828);
+                                                let _e856 = select(_e853, _e852, (_e852 > _e853));
+                                                let _e858 = select(_e854, _e856, (_e856 > _e854));
+                                                if (_e858 < (1024f * _e157)) {
+                                                    phi_3259_ = 0u;
                                                 } else {
-                                                    phi_2910_ = select(2u, 1u, (_e863 < (2097152f * _e162)));
+                                                    phi_3259_ = select(2u, 1u, (_e858 < (2097152f * _e157)));
                                                 }
-                                                let _e870 = phi_2910_;
-                                                switch bitcast<i32>(_e870) {
+                                                let _e865 = phi_3259_;
+                                                switch bitcast<i32>(_e865) {
                                                     case 0: {
-                                                        phi_2916_ = 1u;
+                                                        phi_3265_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2916_ = 2u;
+                                                        phi_3265_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2916_ = 3u;
+                                                        phi_3265_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2916_ = u32();
+                                                        phi_3265_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e873 = phi_2916_;
-                                                let _e879 = global_8.member[_e637.member_1][0u];
-                                                let _e883 = global_8.member[_e637.member_1][2u];
-                                                let _e887 = global_8.member[_e637.member_1][4u];
-                                                let _e891 = global_8.member[_e637.member_1][6u];
-                                                let _e903 = (((_e883 >> bitcast<u32>(22i)) | ((_e887 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e891 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e904 = (_e879 & 268435455u);
-                                                let _e905 = (_e903 & 268435455u);
-                                                let _e908 = ((_e879 >> bitcast<u32>(28u)) & 7u);
-                                                let _e916 = ((_e879 >> bitcast<u32>(31i)) | (((_e903 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e917 = (_e908 != 0u);
-                                                if (_e908 == 0u) {
-                                                    phi_3171_ = _e904;
+                                                let _e868 = phi_3265_;
+                                                let _e874 = global_8.member[_e632.member_1][0u];
+                                                let _e878 = global_8.member[_e632.member_1][2u];
+                                                let _e882 = global_8.member[_e632.member_1][4u];
+                                                let _e886 = global_8.member[_e632.member_1][6u];
+                                                let _e898 = (((_e878 >> bitcast<u32>(22i)) | ((_e882 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e886 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e899 = (_e874 & 268435455u);
+                                                let _e900 = (_e898 & 268435455u);
+                                                let _e903 = ((_e874 >> bitcast<u32>(28u)) & 7u);
+                                                let _e911 = ((_e874 >> bitcast<u32>(31i)) | (((_e898 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e912 = (_e903 != 0u);
+                                                if (_e903 == 0u) {
+                                                    phi_3520_ = _e899;
                                                 } else {
-                                                    if (_e908 == 7u) {
-                                                        phi_3170_ = 2147483648u;
+                                                    if (_e903 == 7u) {
+                                                        phi_3519_ = 2147483648u;
                                                     } else {
-                                                        phi_3170_ = ((2147483648u | (_e908 << bitcast<u32>(28u))) | (_e905 & 268435455u));
+                                                        phi_3519_ = ((2147483648u | (_e903 << bitcast<u32>(28u))) | (_e900 & 268435455u));
                                                     }
-                                                    let _e926 = phi_3170_;
-                                                    phi_3171_ = _e926;
+                                                    let _e921 = phi_3519_;
+                                                    phi_3520_ = _e921;
                                                 }
-                                                let _e928 = phi_3171_;
-                                                if _e917 {
-                                                    let _e929 = (_e908 != 7u);
-                                                    if _e929 {
-                                                        phi_3181_ = (_e905 + (_e908 * ((3u * _e873) + 1u)));
+                                                let _e923 = phi_3520_;
+                                                if _e912 {
+                                                    let _e924 = (_e903 != 7u);
+                                                    if _e924 {
+                                                        phi_3530_ = (_e900 + (_e903 * ((3u * _e868) + 1u)));
                                                     } else {
-                                                        phi_3181_ = u32();
+                                                        phi_3530_ = u32();
                                                     }
-                                                    let _e933 = phi_3181_;
-                                                    phi_3183_ = _e933;
-                                                    phi_3184_ = select(true, false, _e929);
+                                                    let _e928 = phi_3530_;
+                                                    phi_3532_ = _e928;
+                                                    phi_3533_ = select(true, false, _e924);
                                                 } else {
-                                                    phi_3183_ = u32();
-                                                    phi_3184_ = true;
+                                                    phi_3532_ = u32();
+                                                    phi_3533_ = true;
                                                 }
-                                                let _e936 = phi_3183_;
-                                                let _e938 = phi_3184_;
-                                                if (_e916 == 0u) {
-                                                    phi_3205_ = (_e904 + select(0u, 1u, !(_e917)));
+                                                let _e931 = phi_3532_;
+                                                let _e933 = phi_3533_;
+                                                if (_e911 == 0u) {
+                                                    phi_3554_ = (_e899 + select(0u, 1u, !(_e912)));
                                                 } else {
-                                                    if (_e916 == 7u) {
-                                                        phi_3204_ = 2147483648u;
+                                                    if (_e911 == 7u) {
+                                                        phi_3553_ = 2147483648u;
                                                     } else {
-                                                        phi_3204_ = ((2147483648u | (_e916 << bitcast<u32>(28u))) | (select(_e936, _e905, _e938) & 268435455u));
+                                                        phi_3553_ = ((2147483648u | (_e911 << bitcast<u32>(28u))) | (select(_e931, _e900, _e933) & 268435455u));
                                                     }
-                                                    let _e951 = phi_3204_;
-                                                    phi_3205_ = _e951;
+                                                    let _e946 = phi_3553_;
+                                                    phi_3554_ = _e946;
                                                 }
-                                                let _e953 = phi_3205_;
-                                                phi_3209_ = type_62(array<vec4<f32>, 3>(vec4<f32>(_e831, (_e637.member.member.x + _e783), _e836, (_e637.member.member_1.x - _e822)), vec4<f32>(_e832, (_e637.member.member.y + _e787), _e837, (_e637.member.member_1.y - _e826)), vec4<f32>(_e833, (_e637.member.member.z + _e791), _e838, (_e637.member.member_1.z - _e830))), type_61(type_30((_e637.member.member + vec4<f32>(_e761, _e770, _e779, 0f)), (_e637.member.member_1 - vec4<f32>(_e800, _e809, _e818, 0f))), _e928), type_61(type_30((_e637.member.member + vec4<f32>(_e783, _e787, _e791, 0f)), (_e637.member.member_1 - vec4<f32>(_e822, _e826, _e830, 0f))), _e953));
+                                                let _e948 = phi_3554_;
+                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e826, (_e632.member.member.x + _e778), _e831, (_e632.member.member_1.x - _e817)), vec4<f32>(_e827, (_e632.member.member.y + _e782), _e832, (_e632.member.member_1.y - _e821)), vec4<f32>(_e828, (_e632.member.member.z + _e786), _e833, (_e632.member.member_1.z - _e825))), type_58(type_30((_e632.member.member + vec4<f32>(_e756, _e765, _e774, 0f)), (_e632.member.member_1 - vec4<f32>(_e795, _e804, _e813, 0f))), _e923), type_58(type_30((_e632.member.member + vec4<f32>(_e778, _e782, _e786, 0f)), (_e632.member.member_1 - vec4<f32>(_e817, _e821, _e825, 0f))), _e948));
                                             }
-                                            let _e958 = phi_3209_;
-                                            let _e970 = ((_e958.member[0].x - _e431) * _e436);
-                                            let _e971 = ((_e958.member[0].y - _e431) * _e436);
-                                            let _e972 = ((_e958.member[0].z - _e432) * _e436);
-                                            let _e973 = ((_e958.member[0].w - _e432) * _e436);
-                                            let _e983 = ((_e958.member[1].x - _e467) * _e472);
-                                            let _e984 = ((_e958.member[1].y - _e467) * _e472);
-                                            let _e985 = ((_e958.member[1].z - _e468) * _e472);
-                                            let _e986 = ((_e958.member[1].w - _e468) * _e472);
-                                            let _e996 = ((_e958.member[2].x - _e503) * _e508);
-                                            let _e997 = ((_e958.member[2].y - _e503) * _e508);
-                                            let _e998 = ((_e958.member[2].z - _e504) * _e508);
-                                            let _e999 = ((_e958.member[2].w - _e504) * _e508);
-                                            let _e1001 = select(_e998, _e996, (_e996 < _e998));
-                                            let _e1003 = select(_e999, _e997, (_e997 < _e999));
-                                            let _e1005 = select(_e998, _e996, (_e996 > _e998));
-                                            let _e1007 = select(_e999, _e997, (_e997 > _e999));
-                                            let _e1009 = select(_e972, _e970, (_e970 < _e972));
-                                            let _e1011 = select(_e973, _e971, (_e971 < _e973));
-                                            let _e1013 = select(_e985, _e983, (_e983 < _e985));
-                                            let _e1015 = select(_e986, _e984, (_e984 < _e986));
-                                            let _e1017 = select(_e1013, _e1009, (_e1009 > _e1013));
-                                            let _e1019 = select(_e1015, _e1011, (_e1011 > _e1015));
-                                            let _e1021 = select(_e1001, _e1017, (_e1017 > _e1001));
-                                            let _e1023 = select(_e1003, _e1019, (_e1019 > _e1003));
-                                            let _e1025 = select(_e972, _e970, (_e970 > _e972));
-                                            let _e1027 = select(_e973, _e971, (_e971 > _e973));
-                                            let _e1029 = select(_e985, _e983, (_e983 > _e985));
-                                            let _e1031 = select(_e986, _e984, (_e984 > _e986));
-                                            let _e1033 = select(_e1029, _e1025, (_e1025 < _e1029));
-                                            let _e1035 = select(_e1031, _e1027, (_e1027 < _e1031));
-                                            let _e1040 = -(_e1001);
-                                            let _e1041 = -(_e1003);
-                                            let _e1048 = (select(_e1005, _e1033, (_e1033 < _e1005)) + (select(_e1040, _e1005, (_e1005 > _e1040)) * 0.0000019073523f));
-                                            let _e1049 = (select(_e1007, _e1035, (_e1035 < _e1007)) + (select(_e1041, _e1007, (_e1007 > _e1041)) * 0.0000019073523f));
-                                            let _e1051 = select(_e554, _e1021, (_e1021 > _e554));
-                                            let _e1053 = select(_e554, _e1023, (_e1023 > _e554));
-                                            let _e1058 = (_e1051 <= select(_e598.member, _e1048, (_e1048 < _e598.member)));
-                                            let _e1059 = (_e1053 <= select(_e598.member, _e1049, (_e1049 < _e598.member)));
-                                            let _e1060 = (_e1051 <= _e1053);
-                                            if _e1058 {
-                                                if _e1059 {
-                                                    if _e1060 {
-                                                        phi_3553_ = _e958.member_2;
+                                            let _e953 = phi_3558_;
+                                            let _e965 = ((_e953.member[0].x - _e426) * _e431);
+                                            let _e966 = ((_e953.member[0].y - _e426) * _e431);
+                                            let _e967 = ((_e953.member[0].z - _e427) * _e431);
+                                            let _e968 = ((_e953.member[0].w - _e427) * _e431);
+                                            let _e978 = ((_e953.member[1].x - _e462) * _e467);
+                                            let _e979 = ((_e953.member[1].y - _e462) * _e467);
+                                            let _e980 = ((_e953.member[1].z - _e463) * _e467);
+                                            let _e981 = ((_e953.member[1].w - _e463) * _e467);
+                                            let _e991 = ((_e953.member[2].x - _e498) * _e503);
+                                            let _e992 = ((_e953.member[2].y - _e498) * _e503);
+                                            let _e993 = ((_e953.member[2].z - _e499) * _e503);
+                                            let _e994 = ((_e953.member[2].w - _e499) * _e503);
+                                            let _e996 = select(_e993, _e991, (_e991 < _e993));
+                                            let _e998 = select(_e994, _e992, (_e992 < _e994));
+                                            let _e1000 = select(_e993, _e991, (_e991 > _e993));
+                                            let _e1002 = select(_e994, _e992, (_e992 > _e994));
+                                            let _e1004 = select(_e967, _e965, (_e965 < _e967));
+                                            let _e1006 = select(_e968, _e966, (_e966 < _e968));
+                                            let _e1008 = select(_e980, _e978, (_e978 < _e980));
+                                            let _e1010 = select(_e981, _e979, (_e979 < _e981));
+                                            let _e1012 = select(_e1008, _e1004, (_e1004 > _e1008));
+                                            let _e1014 = select(_e1010, _e1006, (_e1006 > _e1010));
+                                            let _e1016 = select(_e996, _e1012, (_e1012 > _e996));
+                                            let _e1018 = select(_e998, _e1014, (_e1014 > _e998));
+                                            let _e1020 = select(_e967, _e965, (_e965 > _e967));
+                                            let _e1022 = select(_e968, _e966, (_e966 > _e968));
+                                            let _e1024 = select(_e980, _e978, (_e978 > _e980));
+                                            let _e1026 = select(_e981, _e979, (_e979 > _e981));
+                                            let _e1028 = select(_e1024, _e1020, (_e1020 < _e1024));
+                                            let _e1030 = select(_e1026, _e1022, (_e1022 < _e1026));
+                                            let _e1035 = -(_e996);
+                                            let _e1036 = -(_e998);
+                                            let _e1043 = (select(_e1000, _e1028, (_e1028 < _e1000)) + (select(_e1035, _e1000, (_e1000 > _e1035)) * 0.0000019073523f));
+                                            let _e1044 = (select(_e1002, _e1030, (_e1030 < _e1002)) + (select(_e1036, _e1002, (_e1002 > _e1036)) * 0.0000019073523f));
+                                            let _e1046 = select(_e549, _e1016, (_e1016 > _e549));
+                                            let _e1048 = select(_e549, _e1018, (_e1018 > _e549));
+                                            let _e1053 = (_e1046 <= select(_e593.member, _e1043, (_e1043 < _e593.member)));
+                                            let _e1054 = (_e1048 <= select(_e593.member, _e1044, (_e1044 < _e593.member)));
+                                            let _e1055 = (_e1046 <= _e1048);
+                                            if _e1053 {
+                                                if _e1054 {
+                                                    if _e1055 {
+                                                        phi_3902_ = _e953.member_2;
                                                     } else {
-                                                        phi_3553_ = _e958.member_1;
+                                                        phi_3902_ = _e953.member_1;
                                                     }
-                                                    let _e1064 = phi_3553_;
-                                                    let _e1086 = (_e641 % 128u);
-                                                    let _e1087 = (_e1086 < 128u);
-                                                    if _e1087 {
+                                                    let _e1059 = phi_3902_;
+                                                    let _e1081 = (_e636 % 128u);
+                                                    let _e1082 = (_e1081 < 128u);
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1086] = _e1064.member_1;
-                                                    if _e1087 {
+                                                    local_8[_e1081] = _e1059.member_1;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1086] = _e1064.member.member.x;
-                                                    if _e1087 {
+                                                    local_7[_e1081] = _e1059.member.member.x;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1086] = _e1064.member.member.y;
-                                                    if _e1087 {
+                                                    local_6[_e1081] = _e1059.member.member.y;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1086] = _e1064.member.member.z;
-                                                    if _e1087 {
+                                                    local_5[_e1081] = _e1059.member.member.z;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1086] = _e1064.member.member_1.x;
-                                                    if _e1087 {
+                                                    local_4[_e1081] = _e1059.member.member_1.x;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1086] = _e1064.member.member_1.y;
-                                                    if _e1087 {
+                                                    local_3[_e1081] = _e1059.member.member_1.y;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1086] = _e1064.member.member_1.z;
-                                                    if _e1087 {
+                                                    local_2[_e1081] = _e1059.member.member_1.z;
+                                                    if _e1082 {
                                                     } else {
-                                                        phi_4078_ = true;
+                                                        phi_4445_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1086] = select(_e1053, _e1051, (_e1051 > _e1053));
-                                                    if _e1060 {
-                                                        phi_3630_ = _e958.member_1;
+                                                    local_9[_e1081] = select(_e1048, _e1046, (_e1046 > _e1048));
+                                                    if _e1055 {
+                                                        phi_3979_ = _e953.member_1;
                                                     } else {
-                                                        phi_3630_ = _e958.member_2;
+                                                        phi_3979_ = _e953.member_2;
                                                     }
-                                                    let _e1100 = phi_3630_;
-                                                    phi_3631_ = _e1100;
-                                                    phi_3632_ = (_e641 + 1u);
+                                                    let _e1095 = phi_3979_;
+                                                    phi_3980_ = _e1095;
+                                                    phi_3981_ = (_e636 + 1u);
                                                 } else {
-                                                    phi_3631_ = type_61();
-                                                    phi_3632_ = u32();
+                                                    phi_3980_ = type_58();
+                                                    phi_3981_ = u32();
                                                 }
-                                                let _e1102 = phi_3631_;
-                                                let _e1104 = phi_3632_;
-                                                phi_3634_ = _e1102;
-                                                phi_3635_ = _e1104;
-                                                phi_3636_ = select(true, false, _e1059);
+                                                let _e1097 = phi_3980_;
+                                                let _e1099 = phi_3981_;
+                                                phi_3983_ = _e1097;
+                                                phi_3984_ = _e1099;
+                                                phi_3985_ = select(true, false, _e1054);
                                             } else {
-                                                phi_3634_ = type_61();
-                                                phi_3635_ = u32();
-                                                phi_3636_ = true;
+                                                phi_3983_ = type_58();
+                                                phi_3984_ = u32();
+                                                phi_3985_ = true;
                                             }
-                                            let _e1107 = phi_3634_;
-                                            let _e1109 = phi_3635_;
-                                            let _e1111 = phi_3636_;
-                                            if _e1111 {
-                                                if _e1058 {
-                                                    phi_3645_ = _e958.member_1;
+                                            let _e1102 = phi_3983_;
+                                            let _e1104 = phi_3984_;
+                                            let _e1106 = phi_3985_;
+                                            if _e1106 {
+                                                if _e1053 {
+                                                    phi_3994_ = _e953.member_1;
                                                 } else {
-                                                    phi_3645_ = _e958.member_2;
+                                                    phi_3994_ = _e953.member_2;
                                                 }
-                                                let _e1115 = phi_3645_;
-                                                phi_3650_ = _e1115;
-                                                phi_3651_ = select(_e1059, true, _e1058);
+                                                let _e1110 = phi_3994_;
+                                                phi_3999_ = _e1110;
+                                                phi_4000_ = select(_e1054, true, _e1053);
                                             } else {
-                                                phi_3650_ = _e1107;
-                                                phi_3651_ = _e639;
+                                                phi_3999_ = _e1102;
+                                                phi_4000_ = _e634;
                                             }
-                                            let _e1118 = phi_3650_;
-                                            let _e1120 = phi_3651_;
-                                            phi_4082_ = _e596;
-                                            phi_3653_ = _e598;
-                                            phi_3654_ = _e1118;
-                                            phi_3655_ = _e1120;
-                                            phi_3656_ = select(_e1109, _e641, _e1111);
+                                            let _e1113 = phi_3999_;
+                                            let _e1115 = phi_4000_;
+                                            phi_4449_ = _e591;
+                                            phi_4002_ = _e593;
+                                            phi_4003_ = _e1113;
+                                            phi_4004_ = _e1115;
+                                            phi_4005_ = select(_e1104, _e636, _e1106);
                                         }
-                                        let _e1856 = phi_4082_;
-                                        let _e1858 = phi_3653_;
-                                        let _e1860 = phi_3654_;
-                                        let _e1862 = phi_3655_;
-                                        let _e1864 = phi_3656_;
-                                        phi_4081_ = _e1856;
-                                        phi_3657_ = _e1858;
-                                        phi_3658_ = _e1860;
-                                        phi_3659_ = (_e602 - 1u);
-                                        phi_3660_ = _e1862;
-                                        phi_3661_ = _e1864;
+                                        let _e2076 = phi_4449_;
+                                        let _e2078 = phi_4002_;
+                                        let _e2080 = phi_4003_;
+                                        let _e2082 = phi_4004_;
+                                        let _e2084 = phi_4005_;
+                                        phi_4448_ = _e2076;
+                                        phi_4006_ = _e2078;
+                                        phi_4007_ = _e2080;
+                                        phi_4008_ = (_e597 - 1u);
+                                        phi_4009_ = _e2082;
+                                        phi_4010_ = _e2084;
                                     } else {
-                                        phi_4081_ = _e596;
-                                        phi_3657_ = _e598;
-                                        phi_3658_ = _e637;
-                                        phi_3659_ = _e602;
-                                        phi_3660_ = _e639;
-                                        phi_3661_ = _e641;
+                                        phi_4448_ = _e591;
+                                        phi_4006_ = _e593;
+                                        phi_4007_ = _e632;
+                                        phi_4008_ = _e597;
+                                        phi_4009_ = _e634;
+                                        phi_4010_ = _e636;
                                     }
-                                    let _e1866 = phi_4081_;
-                                    let _e1868 = phi_3657_;
-                                    let _e1870 = phi_3658_;
-                                    let _e1872 = phi_3659_;
-                                    let _e1874 = phi_3660_;
-                                    let _e1876 = phi_3661_;
-                                    phi_4080_ = _e1866;
-                                    phi_3662_ = _e1868;
-                                    phi_3663_ = _e1870;
-                                    phi_3664_ = _e1872;
-                                    phi_3665_ = _e1874;
-                                    phi_3666_ = _e1876;
+                                    let _e2086 = phi_4448_;
+                                    let _e2088 = phi_4006_;
+                                    let _e2090 = phi_4007_;
+                                    let _e2092 = phi_4008_;
+                                    let _e2094 = phi_4009_;
+                                    let _e2096 = phi_4010_;
+                                    phi_4447_ = _e2086;
+                                    phi_4011_ = _e2088;
+                                    phi_4012_ = _e2090;
+                                    phi_4013_ = _e2092;
+                                    phi_4014_ = _e2094;
+                                    phi_4015_ = _e2096;
                                 } else {
-                                    phi_4080_ = _e596;
-                                    phi_3662_ = type_42();
-                                    phi_3663_ = type_61();
-                                    phi_3664_ = u32();
-                                    phi_3665_ = bool();
-                                    phi_3666_ = u32();
+                                    phi_4447_ = _e591;
+                                    phi_4011_ = type_42();
+                                    phi_4012_ = type_58();
+                                    phi_4013_ = u32();
+                                    phi_4014_ = bool();
+                                    phi_4015_ = u32();
                                 }
-                                let _e1878 = phi_4080_;
-                                let _e1880 = phi_3662_;
-                                let _e1882 = phi_3663_;
-                                let _e1884 = phi_3664_;
-                                let _e1886 = phi_3665_;
-                                let _e1888 = phi_3666_;
-                                phi_4079_ = _e1878;
-                                phi_1019_ = _e1880;
-                                phi_1022_ = _e1882;
-                                phi_1024_ = _e1884;
-                                phi_1026_ = _e1886;
-                                phi_1028_ = _e1888;
-                                phi_3667_ = _e610;
+                                let _e2098 = phi_4447_;
+                                let _e2100 = phi_4011_;
+                                let _e2102 = phi_4012_;
+                                let _e2104 = phi_4013_;
+                                let _e2106 = phi_4014_;
+                                let _e2108 = phi_4015_;
+                                phi_4446_ = _e2098;
+                                phi_1005_ = _e2100;
+                                phi_1008_ = _e2102;
+                                phi_1010_ = _e2104;
+                                phi_1012_ = _e2106;
+                                phi_1014_ = _e2108;
+                                phi_4016_ = _e605;
                             } else {
-                                phi_4079_ = _e596;
-                                phi_1019_ = type_42();
-                                phi_1022_ = type_61();
-                                phi_1024_ = u32();
-                                phi_1026_ = bool();
-                                phi_1028_ = u32();
-                                phi_3667_ = false;
+                                phi_4446_ = _e591;
+                                phi_1005_ = type_42();
+                                phi_1008_ = type_58();
+                                phi_1010_ = u32();
+                                phi_1012_ = bool();
+                                phi_1014_ = u32();
+                                phi_4016_ = false;
                             }
-                            let _e1890 = phi_4079_;
-                            let _e1892 = phi_1019_;
-                            let _e1894 = phi_1022_;
-                            let _e1896 = phi_1024_;
-                            let _e1898 = phi_1026_;
-                            let _e1900 = phi_1028_;
-                            let _e1902 = phi_3667_;
+                            let _e2110 = phi_4446_;
+                            let _e2112 = phi_1005_;
+                            let _e2114 = phi_1008_;
+                            let _e2116 = phi_1010_;
+                            let _e2118 = phi_1012_;
+                            let _e2120 = phi_1014_;
+                            let _e2122 = phi_4016_;
                             continue;
                             continuing {
-                                phi_3940_ = _e1890;
-                                phi_1018_ = _e1892;
-                                phi_1021_ = _e1894;
-                                phi_1023_ = _e1896;
-                                phi_1025_ = _e1898;
-                                phi_1027_ = _e1900;
-                                phi_4078_ = _e1890;
-                                break if !(_e1902);
+                                phi_4266_ = _e2110;
+                                phi_1004_ = _e2112;
+                                phi_1007_ = _e2114;
+                                phi_1009_ = _e2116;
+                                phi_1011_ = _e2118;
+                                phi_1013_ = _e2120;
+                                phi_4445_ = _e2110;
+                                break if !(_e2122);
                             }
                         }
-                        let _e1905 = phi_4078_;
-                        if _e1905 {
+                        let _e2125 = phi_4445_;
+                        if _e2125 {
                             break;
                         }
-                        let _e1907 = local_14;
-                        if _e1907.member_1 {
+                        let _e2127 = local_11;
+                        if _e2127.member_1 {
                         } else {
-                            if _e244 {
+                            if _e239 {
                             } else {
                                 break;
                             }
-                            let _e1911 = global_2.member[_e150];
-                            if _e165 {
+                            let _e2131 = global_2.member[_e145];
+                            if _e160 {
                             } else {
                                 break;
                             }
-                            let _e1915 = global_9.member[_e150].member_1;
-                            if _e244 {
+                            let _e2135 = global_9.member[_e145].member_1;
+                            if _e239 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e150] = type_23(_e1911.member, _e1911.member_1, _e1911.member_2, array<f32, 3>((_e1911.member_3[0] + (_e1915[0] * _e1911.member_1[0])), (_e1911.member_3[1] + (_e1915[1] * _e1911.member_1[1])), (_e1911.member_3[2] + (_e1915[2] * _e1911.member_1[2]))), _e1911.member_4);
+                            global_2.member[_e145] = type_23(_e2131.member, _e2131.member_1, _e2131.member_2, array<f32, 3>((_e2131.member_3[0] + (_e2135[0] * _e2131.member_1[0])), (_e2131.member_3[1] + (_e2135[1] * _e2131.member_1[1])), (_e2131.member_3[2] + (_e2135[2] * _e2131.member_1[2]))), _e2131.member_4);
                         }
                     }
                 }

@@ -7,6 +7,7 @@ use crate::ray::NO_PRIMITIVE;
 use crate::trace::{Place, TriangleSource};
 use crate::triangle::LeafTriangle;
 use bytemuck::{Pod, Zeroable};
+use glam::Vec4;
 
 /// How many bits a coordinate takes, by the extent of the leaf's box. All triangles of a leaf have the same.
 ///
@@ -203,6 +204,41 @@ impl LatticeTriangles<'_> {
     fn begin(place: &Place<LatticeFrame>, width: LeafWidth) -> u32 {
         place.first.wrapping_add(place.number * width.words())
     }
+
+    /// A vertex of one word, coordinates in the order of the axes, as those of its leaf's corner are.
+    #[inline(always)]
+    fn narrow(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let word = crate::load(self.words, at, 0);
+        let steps = |axis: u32| ((word >> (10 * axis)) & 0x3ff) as i32 as f32 * self.step;
+        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+    }
+
+    /// A vertex of two words.
+    #[inline(always)]
+    fn middle(&self, at: u32, min: Vec4, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let a = crate::load(self.words, at, 0);
+        let b = crate::load(self.words, at.wrapping_add(1), 0);
+        let steps = |axis: u32| {
+            let later = if axis == 1 {
+                a >> 21 | b << 11
+            } else {
+                b >> 10
+            };
+            let bits = if axis == 0 { a } else { later };
+            (bits & 0x001f_ffff) as i32 as f32 * self.step
+        };
+        [min.x + steps(i), min.y + steps(j), min.z + steps(k)]
+    }
+
+    /// A vertex of three words.
+    #[inline(always)]
+    fn wide(&self, at: u32, [i, j, k]: [u32; 3]) -> [f32; 3] {
+        let steps = |axis: u32| {
+            let word = crate::load(self.words, at.wrapping_add(axis), 0);
+            word as i32 as f32 * self.step
+        };
+        [steps(i), steps(j), steps(k)]
+    }
 }
 
 impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
@@ -210,35 +246,24 @@ impl TriangleSource<LatticeFrame> for LatticeTriangles<'_> {
     fn corners(&self, place: &Place<LatticeFrame>, axes: [u32; 3]) -> [[f32; 3]; 3] {
         let width = LeafWidth::of_frame(&place.frame, self.step);
         let begin = Self::begin(place, width);
-        let size = width.vertex_words();
-        let min = place.frame.min.to_array();
-        let mut corners = [[0.0; 3]; 3];
-        for corner in 0..3u32 {
-            let at = begin.wrapping_add(corner * size);
-            let a = crate::load(self.words, at, 0);
-            let b = crate::load(self.words, at.wrapping_add(1), 0);
-            for i in 0..3usize {
-                let (axis, min) = (axes[i], min[i]);
-                corners[corner as usize][i] = match width {
-                    LeafWidth::Narrow => min + ((a >> (10 * axis)) & 0x3ff) as f32 * self.step,
-                    LeafWidth::Middle => {
-                        let bits = if axis == 0 {
-                            a
-                        } else if axis == 1 {
-                            a >> 21 | b << 11
-                        } else {
-                            b >> 10
-                        };
-                        min + (bits & 0x001f_ffff) as f32 * self.step
-                    }
-                    LeafWidth::Wide => {
-                        let word = crate::load(self.words, at.wrapping_add(axis), 0);
-                        word as i32 as f32 * self.step
-                    }
-                };
-            }
+        let min = place.frame.min;
+        match width {
+            LeafWidth::Narrow => [
+                self.narrow(begin, min, axes),
+                self.narrow(begin.wrapping_add(1), min, axes),
+                self.narrow(begin.wrapping_add(2), min, axes),
+            ],
+            LeafWidth::Middle => [
+                self.middle(begin, min, axes),
+                self.middle(begin.wrapping_add(2), min, axes),
+                self.middle(begin.wrapping_add(4), min, axes),
+            ],
+            LeafWidth::Wide => [
+                self.wide(begin, axes),
+                self.wide(begin.wrapping_add(3), axes),
+                self.wide(begin.wrapping_add(6), axes),
+            ],
         }
-        corners
     }
 
     #[inline(always)]

@@ -163,27 +163,38 @@ pub fn decode_printed_node(node: &PrintedNode, parent: &PrintedBox, zero: u32) -
 
 #[inline(always)]
 fn encode_box(parent: &PrintedBox, child: &PrintedBox, zero: u32) -> [u32; 2] {
-    let mut words = [0; 2];
-    for axis in 0..3usize {
-        let (low, high) = (parent.min[axis], parent.max[axis]);
-        words[0] |= number_below(child.min[axis], low, high, zero) << (10 * axis);
-        words[1] |= number_above(child.max[axis], low, high, zero) << (10 * axis);
-    }
-    words
+    let ([a, b, c], [d, e, f]) = (parent.min, parent.max);
+    let ([u, v, w], [x, y, z]) = (child.min, child.max);
+    [
+        number_below(u, a, d, zero)
+            | number_below(v, b, e, zero) << 10
+            | number_below(w, c, f, zero) << 20,
+        number_above(x, a, d, zero)
+            | number_above(y, b, e, zero) << 10
+            | number_above(z, c, f, zero) << 20,
+    ]
 }
 
 /// A child's box from its words, coordinates in the order of the axes, as the parent's are.
 #[inline(always)]
 fn decode_box(words: [u32; 2], parent: &PrintedBox, axes: [u32; 3], zero: u32) -> PrintedBox {
-    let mut child = PrintedBox::ZERO;
-    for i in 0..3usize {
-        let axis = axes[i];
-        let (low, high) = (parent.min[i], parent.max[i]);
-        let number = |word: u32| (word >> (10 * axis)) & LAST;
-        child.min[i] = decode(number(words[0]), low, high, zero);
-        child.max[i] = decode(number(words[1]), low, high, zero);
+    let [min, max] = words;
+    PrintedBox {
+        min: decode_point(min, parent, axes, zero),
+        max: decode_point(max, parent, axes, zero),
     }
-    child
+}
+
+/// A point in a box from its word, coordinates in the order of the axes, as the box's are.
+#[inline(always)]
+fn decode_point(word: u32, bounds: &PrintedBox, axes: [u32; 3], zero: u32) -> [f32; 3] {
+    let number = |axis: u32| (word >> (10 * axis)) & LAST;
+    let ([a, b, c], [d, e, f]) = (bounds.min, bounds.max);
+    [
+        decode(number(axes[0]), a, d, zero),
+        decode(number(axes[1]), b, e, zero),
+        decode(number(axes[2]), c, f, zero),
+    ]
 }
 
 /// A node or a leaf, and its box, coordinates in the order of the ray's axes. 28 bytes.
@@ -309,23 +320,31 @@ pub fn encode_printed_triangle(
     bounds: &PrintedBox,
     zero: u32,
 ) -> PrintedTriangle {
-    let mut vertices = [0; 3];
-    for corner in 0..3usize {
-        for axis in 0..3usize {
-            let x = triangle.vertices[(3 * corner + axis) % 9];
-            let (low, high) = (bounds.min[axis], bounds.max[axis]);
-            let below = number_below(x, low, high, zero);
-            let above = if below < LAST { below + 1 } else { below };
-            let to_below = abs(x - decode(below, low, high, zero));
-            let to_above = abs(decode(above, low, high, zero) - x);
-            let nearest = if to_above < to_below { above } else { below };
-            vertices[corner] |= nearest << (10 * axis);
-        }
-    }
+    let v = &triangle.vertices;
     PrintedTriangle {
-        vertices,
+        vertices: [
+            encode_vertex([v[0], v[1], v[2]], bounds, zero),
+            encode_vertex([v[3], v[4], v[5]], bounds, zero),
+            encode_vertex([v[6], v[7], v[8]], bounds, zero),
+        ],
         primitive: triangle.primitive,
     }
+}
+
+#[inline(always)]
+fn encode_vertex([x, y, z]: [f32; 3], bounds: &PrintedBox, zero: u32) -> u32 {
+    let ([a, b, c], [d, e, f]) = (bounds.min, bounds.max);
+    nearest(x, a, d, zero) | nearest(y, b, e, zero) << 10 | nearest(z, c, f, zero) << 20
+}
+
+/// The number of the nearest of those coordinates that there are between two planes.
+#[inline(always)]
+fn nearest(x: f32, low: f32, high: f32, zero: u32) -> u32 {
+    let below = number_below(x, low, high, zero);
+    let above = if below < LAST { below + 1 } else { below };
+    let to_below = abs(x - decode(below, low, high, zero));
+    let to_above = abs(decode(above, low, high, zero) - x);
+    if to_above < to_below { above } else { below }
 }
 
 /// Triangles of the printed codec.
@@ -349,15 +368,12 @@ impl TriangleSource<PrintedBox> for PrintedTriangles<'_> {
                 primitive: NO_PRIMITIVE,
             },
         );
-        let mut corners = [[0.0; 3]; 3];
-        for corner in 0..3usize {
-            for i in 0..3usize {
-                let number = (vertices[corner] >> (10 * axes[i])) & LAST;
-                let (low, high) = (place.frame.min[i], place.frame.max[i]);
-                corners[corner][i] = decode(number, low, high, self.zero);
-            }
-        }
-        corners
+        let vertex = |word: u32| decode_point(word, &place.frame, axes, self.zero);
+        [
+            vertex(vertices[0]),
+            vertex(vertices[1]),
+            vertex(vertices[2]),
+        ]
     }
 
     #[inline(always)]
