@@ -8,8 +8,8 @@ use crate::Bvh;
 use crate::codec::{LatticeBits, MeshCodec, NodeCodec, by_bits};
 use crate::coded::{Coded, CodedNodes, CodedTriangles};
 use slimbvh_core::encode::{
-    BoxCodec, FINEST_STEP, LatticeCodec, LeafCorner, LeafWidth, Links, PrintedBox, PrintedCodec,
-    PrintedNode, PrintedTriangle, RoundedNode, decode_node, encode_narrow_triangle,
+    BoxCodec, EncodedNode, FINEST_STEP, LatticeCodec, LeafCorner, LeafWidth, Links, PrintedBox,
+    PrintedCodec, PrintedNode, PrintedTriangle, RoundedNode, decode_node, encode_narrow_triangle,
     encode_printed_triangle, encode_triangle, scaled_step, with_links,
 };
 use slimbvh_core::float::power_of_two;
@@ -17,6 +17,7 @@ use slimbvh_core::lattice::LatticeBox;
 use slimbvh_core::node::Connection;
 use slimbvh_core::refit::{PyramidBox, refit_node};
 use slimbvh_core::scan::run_scan;
+use slimbvh_core::trace::STACK_SIZE;
 use slimbvh_core::{LeafTriangle, Node, NodeRef};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 
@@ -302,6 +303,19 @@ impl OnLattice<'_> {
         }
     }
 
+    /// A node with its boxes, and the same coded in its own, decoded.
+    #[inline(always)]
+    fn encode<const BITS: u32, const WORDS: usize>(
+        &self,
+        index: u32,
+        bounds: &LatticeBox,
+    ) -> (Node, EncodedNode<WORDS>) {
+        let node = self.tree.node(index);
+        let rounded = RoundedNode::new(&node, self.step_exponent);
+        let coded = LatticeCodec::<BITS, WORDS>.encode(bounds, &rounded);
+        (node, coded)
+    }
+
     /// Puts a leaf's triangles in place, which are narrow.
     fn put_narrow(&self, leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]) {
         let first = leaf.first() as usize;
@@ -332,9 +346,11 @@ fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
     leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
 ) {
     let tree = lattice.tree;
-    let node = tree.node(part.node);
-    let rounded = RoundedNode::new(&node, lattice.step_exponent);
-    let coded = LatticeCodec::<BITS, WORDS>.encode(&part.bounds, &rounded);
+    let Connection { first, last, .. } = tree.nodes[part.node as usize];
+    if last - first < TASK {
+        return encode_below::<BITS, WORDS, T>(lattice, part, link, leaf);
+    }
+    let (node, coded) = lattice.encode::<BITS, WORDS>(part.node, &part.bounds);
     part.nodes[part.node as usize - part.first_node] = link(&node, coded.words);
     let per_triangle = part.per_triangle;
     let place_of = |triangle: u32| per_triangle * triangle as usize;
@@ -347,6 +363,30 @@ fn encode_nodes<const BITS: u32, const WORDS: usize, T: Send>(
             encode_nodes::<BITS, WORDS, T>(lattice, part, link, leaf);
         }
     });
+}
+
+/// [`encode_nodes`] on one thread.
+fn encode_below<const BITS: u32, const WORDS: usize, T: Send>(
+    lattice: &OnLattice,
+    part: Part<[u32; WORDS], T, LatticeBox>,
+    link: &(impl Fn(&Node, [u32; WORDS]) -> [u32; WORDS] + Sync),
+    leaf: &(impl Fn(NodeRef, &LatticeBox, &mut [T]) + Sync),
+) {
+    let mut waiting = Vec::with_capacity(STACK_SIZE);
+    waiting.push((part.node, part.bounds));
+    while let Some((index, bounds)) = waiting.pop() {
+        let (node, coded) = lattice.encode::<BITS, WORDS>(index, &bounds);
+        part.nodes[index as usize - part.first_node] = link(&node, coded.words);
+        for (child, bounds) in [(node.right, coded.right), (node.left, coded.left)] {
+            if !child.is_leaf() {
+                waiting.push((child.0, bounds));
+            } else if child.count() > 0 {
+                let begin = part.per_triangle * child.first() as usize - part.first_triangle;
+                let end = begin + part.per_triangle * child.count() as usize;
+                leaf(child, &bounds, &mut part.triangles[begin..end]);
+            }
+        }
+    }
 }
 
 /// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie.
