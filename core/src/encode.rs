@@ -11,6 +11,7 @@
 
 mod lattice_leaf;
 mod lattice_node;
+mod lattice_nodes;
 mod links;
 mod printed;
 mod root;
@@ -22,9 +23,9 @@ pub use lattice_leaf::{
     scaled_step,
 };
 pub use lattice_node::{
-    EncodedNode, LatticeCursor, LatticeFrame, LatticeNodes, decode_node, encode_child, encode_node,
-    links_of, node_words, with_links,
+    EncodedNode, decode_node, encode_child, encode_node, links_of, node_words, with_links,
 };
+pub use lattice_nodes::{LatticeCursor, LatticeFrame, LatticeNodes};
 pub use links::Links;
 pub use printed::{
     EncodedPrinted, PrintedBox, PrintedCursor, PrintedNode, PrintedNodes, PrintedTriangle,

@@ -1,6 +1,6 @@
 //! The lattice codec's triangle: its vertices, counted from the leaf's decoded box, exactly.
 
-use super::lattice_node::LatticeFrame;
+use super::lattice_nodes::LatticeFrame;
 use crate::float::{exponent, max};
 use crate::lattice::{LatticeBox, lattice_steps};
 use crate::ray::NO_PRIMITIVE;

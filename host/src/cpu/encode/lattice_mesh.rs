@@ -1,0 +1,147 @@
+//! Triangles on the lattice, and nodes that link to them.
+
+use super::lattice::{OnLattice, encode_nodes, lattice_words, linked_to};
+use super::tree::{Part, Tree, both};
+use crate::codec::{LatticeBits, by_bits};
+use crate::coded::CodedNodes;
+use slimbvh_core::encode::{LeafWidth, decode_node};
+use slimbvh_core::lattice::LatticeBox;
+use slimbvh_core::scan::run_scan;
+use slimbvh_core::{Node, NodeRef};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+/// Codes a tree's nodes and triangles on the lattice with this step, on which all vertices lie.
+pub(super) fn encode_lattice_mesh(
+    tree: &Tree,
+    (bits, step_exponent): (LatticeBits, i32),
+    (sizes, width): (&mut Vec<u32>, &mut Option<LeafWidth>),
+    (nodes, triangles): (&mut CodedNodes, &mut Vec<u32>),
+) {
+    let (root, words) = lattice_words(tree, bits, step_exponent, nodes);
+    let tree = OnLattice {
+        tree,
+        root,
+        step_exponent,
+    };
+    // Most often all triangles are as wide, as wide as they were the last time, and it is known where each is: one way down
+    // does it. Else it takes another.
+    let is_done = match *width {
+        Some(LeafWidth::Narrow) => by_bits!(bits, fill_narrow(&tree, words, triangles)),
+        Some(LeafWidth::Middle) => by_bits!(bits, fill_middle(&tree, words, triangles)),
+        Some(LeafWidth::Wide) | None => false,
+    };
+    if !is_done {
+        *width = by_bits!(bits, fill_mixed(&tree, words, triangles, sizes));
+    }
+}
+
+pub(super) const NARROW: usize = LeafWidth::Narrow.words() as usize;
+const MIDDLE: usize = LeafWidth::Middle.words() as usize;
+const WIDE: usize = LeafWidth::Wide.words() as usize;
+
+/// [`fill_alike`] where all triangles are narrow.
+fn fill_narrow<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+) -> bool {
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        lattice.put_narrow(leaf, bounds, words);
+    };
+    fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Narrow, &put))
+}
+
+/// [`fill_alike`] where all triangles are of middle width.
+fn fill_middle<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+) -> bool {
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        lattice.put::<MIDDLE>(leaf, bounds, words);
+    };
+    fill_alike::<BITS, WORDS>(lattice, words, triangles, (LeafWidth::Middle, &put))
+}
+
+/// Where all triangles are of one width. Returns whether they are, and leaves the lists in disorder if not.
+fn fill_alike<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+    (width, put): (
+        LeafWidth,
+        &(impl Fn(NodeRef, &LatticeBox, &mut [u32]) + Sync),
+    ),
+) -> bool {
+    let size = width.words() as usize;
+    triangles.resize(size * lattice.tree.leaves.len(), 0);
+    let is_other = AtomicBool::new(false);
+    let put = |leaf: NodeRef, bounds: &LatticeBox, words: &mut [u32]| {
+        if LeafWidth::of(bounds) == width {
+            put(leaf, bounds, words);
+        } else if leaf.count() > 0 {
+            is_other.store(true, Relaxed);
+        }
+    };
+    let link = linked_to::<BITS, WORDS>(|triangle| size as u32 * triangle);
+    let part = lattice.part(words, triangles, size);
+    encode_nodes::<BITS, WORDS, u32>(lattice, part, &link, &put);
+    !is_other.into_inner()
+}
+
+/// Where triangles take more or less room, as their leaf's box tells: where one begins follows from all before it. Returns their
+/// width if they are of one.
+fn fill_mixed<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    words: &mut [u32],
+    triangles: &mut Vec<u32>,
+    sizes: &mut Vec<u32>,
+) -> Option<LeafWidth> {
+    let count = lattice.tree.leaves.len();
+    sizes.clear();
+    sizes.resize(count, 0);
+    let size = |_: NodeRef, bounds: &LatticeBox, sizes: &mut [u32]| {
+        sizes.fill(LeafWidth::of(bounds).words());
+    };
+    let unlinked = |_: &Node, words| words;
+    let part = lattice.part(words, sizes.as_mut_slice(), 1);
+    encode_nodes::<BITS, WORDS, u32>(lattice, part, &unlinked, &size);
+
+    let total = run_scan(sizes, 0, count as u32, 0);
+    triangles.resize(total as usize, 0);
+    let begins = sizes.as_slice();
+    let begin_of = |triangle: u32| begins.get(triangle as usize).map_or(total, |&b| b);
+    let part = lattice.part(words, triangles, 1);
+    place_triangles::<BITS, WORDS>(lattice, part, &begin_of);
+
+    // The narrowest width that would take as much; others in equal parts may as well, and come out as disorder next time.
+    let widths = [LeafWidth::Narrow, LeafWidth::Middle];
+    let takes_as_much = |width: &LeafWidth| width.words() as usize * count == total as usize;
+    widths.into_iter().find(takes_as_much)
+}
+
+/// Puts triangles where they belong, and links to them into the nodes.
+fn place_triangles<const BITS: u32, const WORDS: usize>(
+    lattice: &OnLattice,
+    part: Part<[u32; WORDS], u32, LatticeBox>,
+    begin_of: &(impl Fn(u32) -> u32 + Sync),
+) {
+    let tree = lattice.tree;
+    let node = Node::from(&tree.nodes[part.node as usize]);
+    let words = &mut part.nodes[part.node as usize - part.first_node];
+    let boxes = decode_node::<BITS, WORDS>(words, &part.bounds);
+    *words = linked_to::<BITS, WORDS>(begin_of)(&node, *words);
+    let parts = part.split(tree, boxes, |triangle| begin_of(triangle) as usize);
+    both(&node, parts, |part| {
+        let child = NodeRef(part.node);
+        if !child.is_leaf() {
+            place_triangles::<BITS, WORDS>(lattice, part, begin_of);
+            return;
+        }
+        match LeafWidth::of(&part.bounds) {
+            LeafWidth::Narrow => lattice.put_narrow(child, &part.bounds, part.triangles),
+            LeafWidth::Middle => lattice.put::<MIDDLE>(child, &part.bounds, part.triangles),
+            LeafWidth::Wide => lattice.put::<WIDE>(child, &part.bounds, part.triangles),
+        }
+    });
+}

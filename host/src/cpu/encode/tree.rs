@@ -1,0 +1,105 @@
+//! A tree on its way into a codec, and its parts on their way onto threads.
+
+use slimbvh_core::node::Connection;
+use slimbvh_core::refit::{PyramidBox, refit_node};
+use slimbvh_core::{LeafTriangle, Node, NodeRef};
+
+/// Nodes with fewer triangles are not divided among threads.
+pub(super) const TASK: u32 = 8192;
+
+/// A tree on its way into a codec: its nodes have no boxes, which are found from the pyramid when their turn comes.
+pub(super) struct Tree<'a> {
+    pub(super) nodes: &'a [Connection],
+    /// The last triangle of each node's left child.
+    pub(super) splits: &'a [u32],
+    pub(super) leaves: &'a [LeafTriangle],
+    pub(super) pyramid: &'a [PyramidBox],
+}
+
+impl Tree<'_> {
+    /// A node with its boxes.
+    pub(super) fn node(&self, index: u32) -> Node {
+        let (bare, split) = (&self.nodes[index as usize], self.splits[index as usize]);
+        if self.leaves.is_empty() {
+            return bare.into();
+        }
+        refit_node(bare.into(), split, self.leaves, self.pyramid)
+    }
+}
+
+/// A node to be coded, and the parts of the lists that it and its descendants fill.
+pub(super) struct Part<'a, N, T, B> {
+    pub(super) node: u32,
+    pub(super) bounds: B,
+    pub(super) nodes: &'a mut [N],
+    pub(super) first_node: usize,
+    pub(super) triangles: &'a mut [T],
+    pub(super) first_triangle: usize,
+    /// How much of the list each triangle takes, where that is the same for all.
+    pub(super) per_triangle: usize,
+}
+
+impl<'a, N, T, B> Part<'a, N, T, B> {
+    /// What its children fill. `place_of` tells where a triangle's part of the list begins.
+    pub(super) fn split(
+        self,
+        tree: &Tree,
+        [left, right]: [B; 2],
+        place_of: impl Fn(u32) -> usize,
+    ) -> [Self; 2] {
+        let node = &tree.nodes[self.node as usize];
+        // The right child's descendants begin with itself.
+        let middle = if node.right.is_leaf() {
+            self.first_node + self.nodes.len()
+        } else {
+            node.right.index() as usize
+        };
+        let triangle = tree.splits[self.node as usize].wrapping_add(1);
+        let (left_nodes, right_nodes) = self.nodes.split_at_mut(middle - self.first_node);
+        let middle_triangle = if self.triangles.is_empty() {
+            self.first_triangle
+        } else {
+            place_of(triangle)
+        };
+        let (triangles, per_triangle) = (self.triangles, self.per_triangle);
+        let (left_triangles, right_triangles) =
+            triangles.split_at_mut(middle_triangle - self.first_triangle);
+        let part = |child: NodeRef, bounds, nodes, first_node, triangles, first_triangle| Self {
+            node: child.0,
+            bounds,
+            nodes,
+            first_node,
+            triangles,
+            first_triangle,
+            per_triangle,
+        };
+        [
+            part(
+                node.left,
+                left,
+                left_nodes,
+                self.first_node,
+                left_triangles,
+                self.first_triangle,
+            ),
+            part(
+                node.right,
+                right,
+                right_nodes,
+                middle,
+                right_triangles,
+                middle_triangle,
+            ),
+        ]
+    }
+}
+
+/// Codes both children, at once where that pays.
+pub(super) fn both<P: Send>(node: &Node, [left, right]: [P; 2], code: impl Fn(P) + Sync) {
+    if node.last - node.first < TASK {
+        code(left);
+        code(right);
+    } else {
+        rayon::join(|| code(left), || code(right));
+    }
+}
