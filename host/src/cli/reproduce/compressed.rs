@@ -5,7 +5,6 @@ mod cracks;
 mod machine;
 mod measure;
 mod methods;
-mod moves;
 mod paths;
 mod printed;
 mod protocol;

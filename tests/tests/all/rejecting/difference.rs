@@ -25,7 +25,7 @@
 use super::surroundings::{Surroundings, wide};
 use super::wave::{Cast, RayKind};
 use slimbvh_core::orientation::Target;
-use slimbvh_tests::oracle::unculled::Crossing;
+use slimbvh::oracle::Crossing;
 use std::fmt;
 
 /// d for M = 1.

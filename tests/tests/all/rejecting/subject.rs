@@ -13,7 +13,7 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_tests::gpu::done;
-use slimbvh_tests::oracle::unculled::Unculled;
+use slimbvh::oracle::Unculled;
 
 /// Which triangles the tracer passes over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use super::distance::{between, to_triangle};
 use glam::DVec3;
 use slimbvh_core::orientation::Target;
-use slimbvh_tests::oracle::unculled::Unculled;
+use slimbvh::oracle::Unculled;
 use std::collections::HashMap;
 
 /// Edges or triangles that are passed over together.

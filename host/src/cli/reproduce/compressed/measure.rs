@@ -4,13 +4,13 @@ use super::counts::{Counts, count};
 use super::cracks::{Cracks, aim};
 use super::machine::{Cpu, Machine};
 use super::methods::{Method, Prepared};
-use super::moves::moved;
 use super::printed::Printed;
 use super::protocol::Protocol;
 use super::scenes::Subject;
 use crate::cli::reproduce::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
+use slimbvh::stress::moved;
 use slimbvh::{MeshCodec, Picture, RenderSettings, Stages};
 
 /// What was measured of one scene.
