@@ -142,7 +142,7 @@ impl Judge<'_> {
         if (hit.t < t_min && t_min.is_normal()) || (hit.t > t_max && t_max.is_normal()) {
             return None;
         }
-        let t = f64::from(hit.t) * 2f64.powi(self.subject.exponent);
+        let t = f64::from(hit.t) * 2f64.powi(line.t_exponent);
         let point = line.at(t);
         let size = length(minus(corners[1], corners[0])) + length(minus(corners[2], corners[0]));
         let way = along.min(size);

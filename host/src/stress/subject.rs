@@ -7,6 +7,7 @@ use crate::oracle::{Crossing, Unculled};
 use crate::topology::SolidAngle;
 use crate::wide::dot;
 use slimbvh_core::Ray;
+use slimbvh_core::float::exponent;
 
 /// The triangles that a tracer has, multiplied by a power of two.
 #[derive(Clone, Debug)]
@@ -31,6 +32,8 @@ pub struct Line {
     pub unit: Point,
     /// Length of the direction.
     pub length: f64,
+    /// Its t is the caller's times two to this power.
+    pub t_exponent: i32,
 }
 
 /// Origins farther away than this many times the scene's size see nothing: the third promise on magnitudes.
@@ -60,14 +63,20 @@ impl Subject {
         if !is_sane {
             return None;
         }
-        let scale = 2f64.powi(self.exponent);
-        let scaled = |x: f32| (f64::from(x) * scale) as f32;
+        // Origin and direction alike, so that t stays as it is, as far as the direction stays finite.
+        let longest = ray.direction.iter().fold(0.0, |a: f32, x| a.max(x.abs()));
+        let of_direction = self.exponent.min(126 - exponent(longest));
+        let t_exponent = self.exponent - of_direction;
+        let scaled = |x: f32, exponent: i32| {
+            let scaled = (f64::from(x) * 2f64.powi(exponent)) as f32;
+            scaled.clamp(f32::MIN, f32::MAX)
+        };
         let ray = Ray {
             // Beyond all numbers is beyond what sees anything, too.
-            origin: ray.origin.map(|x| scaled(x).clamp(f32::MIN, f32::MAX)),
-            t_min: scaled(ray.t_min).clamp(f32::MIN, f32::MAX),
-            t_max: scaled(ray.t_max).max(f32::MIN),
-            ..*ray
+            origin: ray.origin.map(|x| scaled(x, self.exponent)),
+            direction: ray.direction.map(|x| scaled(x, of_direction)),
+            t_min: scaled(ray.t_min, t_exponent),
+            t_max: scaled(ray.t_max, t_exponent),
         };
         let direction = ray.direction.map(f64::from);
         let length = length(direction);
@@ -76,6 +85,7 @@ impl Subject {
             origin: ray.origin.map(f64::from),
             unit: direction.map(|x| x / length),
             length,
+            t_exponent,
         })
     }
 
