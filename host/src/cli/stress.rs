@@ -126,7 +126,11 @@ impl StressArguments {
         let backends = self.backend.iter().filter_map(Backend::to_possible_value);
         let backends: Vec<_> = backends.map(|value| value.get_name().to_owned()).collect();
         words.push(format!("--backend {}", backends.join(",")));
-        words.extend(self.adapter.iter().map(|name| format!("--adapter {name:?}")));
+        words.extend(
+            self.adapter
+                .iter()
+                .map(|name| format!("--adapter {name:?}")),
+        );
         if !self.only.is_empty() {
             words.push("--only".into());
             words.extend(self.only.iter().map(|part| format!("{part:?}")));

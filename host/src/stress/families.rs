@@ -1,7 +1,7 @@
 //! Scenes that break tracers.
 
-use super::shapes::{coplanar, equal_centres, extremes, flattened, spindle, stadium};
 use super::Effort;
+use super::shapes::{coplanar, equal_centres, extremes, flattened, spindle, stadium};
 use crate::generate::{icosphere, slivers, soup, sphere_flake};
 use crate::{CodeBits, Mesh};
 use glam::Vec3;
@@ -38,18 +38,34 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     add("translated", translated(effort));
     add("scaled", scaled(effort));
     add("anisotropic", anisotropic(effort));
-    add("slivers", vec![open("1:1e6", slivers(effort.pick(400, 2000), 8), effort)]);
+    add(
+        "slivers",
+        vec![open("1:1e6", slivers(effort.pick(400, 2000), 8), effort)],
+    );
     add("needle fans", needle_fans(effort));
-    add("coplanar, doubled", vec![open("5 at a place", coplanar(effort.pick(60, 300), 4), effort)]);
-    add("equal centroids", vec![Case {
-        ray_count: effort.pick(48, 1000) as usize,
-        ..open("1e5 triangles", equal_centres(100_000, 5), effort)
-    }]);
+    add(
+        "coplanar, doubled",
+        vec![open(
+            "5 at a place",
+            coplanar(effort.pick(60, 300), 4),
+            effort,
+        )],
+    );
+    add(
+        "equal centroids",
+        vec![Case {
+            ray_count: effort.pick(48, 1000) as usize,
+            ..open("1e5 triangles", equal_centres(100_000, 5), effort)
+        }],
+    );
     add("teapot in a stadium", stadiums(effort));
     add("flat", flat(effort));
     add("denormal", denormal(effort));
     add("largest numbers", largest(effort));
-    add("soup", vec![open("1", soup(effort.pick(700, 5000), 7), effort)]);
+    add(
+        "soup",
+        vec![open("1", soup(effort.pick(700, 5000), 7), effort)],
+    );
     cases
 }
 
@@ -138,10 +154,17 @@ fn needle_fans(effort: Effort) -> Vec<Case> {
         let radius = 10f32.powi(k);
         let mesh = spindle(axis, radius, effort.pick(24, 100));
         let outside = OUTSIDE.normalize();
-        closed(format!("1:1e{} along {name}", -k), mesh, [Vec3::ZERO, outside], effort)
+        closed(
+            format!("1:1e{} along {name}", -k),
+            mesh,
+            [Vec3::ZERO, outside],
+            effort,
+        )
     };
     let radii = [-2, -4, -6];
-    axes.into_iter().flat_map(|axis| radii.map(|k| fan(axis, k))).collect()
+    axes.into_iter()
+        .flat_map(|axis| radii.map(|k| fan(axis, k)))
+        .collect()
 }
 
 fn stadiums(effort: Effort) -> Vec<Case> {
@@ -156,9 +179,15 @@ fn stadiums(effort: Effort) -> Vec<Case> {
 fn flat(effort: Effort) -> Vec<Case> {
     let flat = |axis: usize, height: f32| {
         let mesh = flattened(soup(effort.pick(200, 2000), 3), axis, height);
-        open(format!("{} = {height}", ["x", "y", "z"][axis]), mesh, effort)
+        open(
+            format!("{} = {height}", ["x", "y", "z"][axis]),
+            mesh,
+            effort,
+        )
     };
-    (0..3).flat_map(|axis| [flat(axis, 0.0), flat(axis, 0.3)]).collect()
+    (0..3)
+        .flat_map(|axis| [flat(axis, 0.0), flat(axis, 0.3)])
+        .collect()
 }
 
 fn denormal(effort: Effort) -> Vec<Case> {
@@ -177,6 +206,10 @@ fn largest(effort: Effort) -> Vec<Case> {
     let ball = moved(sphere(effort), |p| p * quarter);
     vec![
         closed("sphere of f32::MAX/4".into(), ball, points, effort),
-        open("corners at ±f32::MAX/4", extremes(effort.pick(60, 300), quarter, 6), effort),
+        open(
+            "corners at ±f32::MAX/4",
+            extremes(effort.pick(60, 300), quarter, 6),
+            effort,
+        ),
     ]
 }

@@ -32,7 +32,10 @@ pub fn run(tracer: &mut dyn Tracer, case: &Case) -> Result<Vec<Row>, Failure> {
         };
         let mut row = new_row(tracer, case, &tree, &outcome);
         let judged = known.judge(&judge, first, &outcome.answers);
-        for ((shot, answer), verdict) in known.shots[first..].iter().zip(&outcome.answers).zip(judged)
+        for ((shot, answer), verdict) in known.shots[first..]
+            .iter()
+            .zip(&outcome.answers)
+            .zip(judged)
         {
             row.count(&verdict, || example(shot, answer));
         }
@@ -62,7 +65,9 @@ impl Known {
             .collect();
         let met = |shot: &Shot| {
             let line = subject.line(&shot.ray);
-            line.map_or_else(Vec::new, |line| subject.scene.crossings(&line.ray, u32::MAX))
+            line.map_or_else(Vec::new, |line| {
+                subject.scene.crossings(&line.ray, u32::MAX)
+            })
         };
         let crossings = shots.par_iter().map(met).collect();
         Self {
@@ -108,5 +113,8 @@ fn example(shot: &Shot, answer: &Answer) -> String {
     let numbers: [f32; 8] = bytemuck::cast(shot.ray);
     let bits = numbers.map(|x| format!("{:08x}", x.to_bits())).join(" ");
     let Answer { closest, any } = answer;
-    format!("{bits}, inside {}, closest {closest:?}, any {any}", shot.is_inside)
+    format!(
+        "{bits}, inside {}, closest {closest:?}, any {any}",
+        shot.is_inside
+    )
 }

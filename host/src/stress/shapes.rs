@@ -64,7 +64,12 @@ pub fn equal_centres(count: u32, seed: u64) -> Mesh {
 /// A teapot on a field two thousand times as wide.
 pub fn stadium(cells: u32) -> Mesh {
     let mut mesh = ground(4000.0, cells);
-    let teapot = transformed(teapot(), 1.0, Quat::from_rotation_y(0.3), Vec3::new(211.0, 0.0, -97.0));
+    let teapot = transformed(
+        teapot(),
+        1.0,
+        Quat::from_rotation_y(0.3),
+        Vec3::new(211.0, 0.0, -97.0),
+    );
     append(&mut mesh, teapot, "teapot", 0);
     mesh
 }
@@ -89,7 +94,8 @@ pub fn extremes(count: u32, largest: f32, seed: u64) -> Mesh {
             _ => largest * (8.0 * share - 6.5),
         };
         let corner = random.point().to_array().map(coordinate);
-        mesh.vertices.push(corner.map(|x| x.clamp(-largest, largest)));
+        mesh.vertices
+            .push(corner.map(|x| x.clamp(-largest, largest)));
         if i % 3 == 2 {
             mesh.indices.push([i - 2, i - 1, i]);
         }

@@ -55,7 +55,10 @@ impl Tracer for Cpu {
         let answers = answers(&bvh, rays);
         let time_ms = start.elapsed().as_secs_f64() * 1e3;
         let facts = facts(&prepared, storage, &bvh)?;
-        let stack = rays.par_iter().map(|ray| longest(&facts.decoded, ray)).max();
+        let stack = rays
+            .par_iter()
+            .map(|ray| longest(&facts.decoded, ray))
+            .max();
         Ok(Outcome {
             answers,
             stack: Some(stack.unwrap_or(0)),

@@ -36,7 +36,13 @@ pub fn longest(bvh: &Bvh, ray: &Ray) -> u32 {
     let prepared = PreparedRay::new(ray, bvh.scene_exponent());
     let mut closest = ClosestHit::new(prepared.t_max);
     let (nodes, triangles) = (Noted(bvh.node_source()), bvh.triangle_source());
-    traverse(&nodes, &triangles, &prepared, &Except::NOTHING, &mut closest);
+    traverse(
+        &nodes,
+        &triangles,
+        &prepared,
+        &Except::NOTHING,
+        &mut closest,
+    );
     LONGEST.get()
 }
 

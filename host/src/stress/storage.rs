@@ -10,7 +10,9 @@ enum Triangles {
     Full,
     Leaf10,
     /// On a lattice, so many times coarser than the finest, as a power of two.
-    Lattice { coarser: i32 },
+    Lattice {
+        coarser: i32,
+    },
 }
 
 /// How nodes and triangles are stored.
@@ -61,9 +63,9 @@ impl Storage {
         let mut all = vec![Self::PLAIN, Self::nodes(q10), Self::LATTICE, coarse, leaf10];
         if effort == Effort::Full {
             all.push(Self::nodes(NodeCodec::Printed));
-            let others = LatticeBits::ALL.into_iter().filter(|&bits| {
-                bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21)
-            });
+            let others = LatticeBits::ALL
+                .into_iter()
+                .filter(|&bits| bits != LatticeBits::Q10 && (!on_gpu || bits == LatticeBits::Q21));
             all.extend(others.map(|bits| Self::nodes(NodeCodec::Lattice(bits))));
             all.push(lattice(0, LatticeBits::Q21));
         }

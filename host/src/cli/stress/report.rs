@@ -32,7 +32,8 @@ pub struct Others {
 impl Others {
     pub fn read(path: &Path) -> Result<Self> {
         let shown = path.display().to_string();
-        let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {shown:?}"))?;
+        let text =
+            std::fs::read_to_string(path).with_context(|| format!("cannot read {shown:?}"))?;
         let rows = serde_json::from_str(&text);
         rows.with_context(|| format!("{shown:?} has no rows as --json writes them"))
     }

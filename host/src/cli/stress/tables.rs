@@ -37,9 +37,7 @@ fn merged(rows: &[Row], key: impl Fn(&Row) -> [String; 4]) -> Vec<([String; 4], 
 }
 
 fn families(rows: &[Row]) -> Table {
-    let by = |row: &Row| {
-        [&row.family, &row.tracer, &row.backend, &row.family].map(Clone::clone)
-    };
+    let by = |row: &Row| [&row.family, &row.tracer, &row.backend, &row.family].map(Clone::clone);
     let line = |([family, tracer, backend, _], sum, scenes): ([String; 4], Row, usize)| {
         let mut cells = vec![family, format!("{tracer} {backend}"), scenes.to_string()];
         cells.extend(figures(&sum));
@@ -70,9 +68,7 @@ fn families(rows: &[Row]) -> Table {
 }
 
 fn codecs(rows: &[Row]) -> Table {
-    let by = |row: &Row| {
-        [&row.codec, &row.reduction, &row.tracer, &row.backend].map(Clone::clone)
-    };
+    let by = |row: &Row| [&row.codec, &row.reduction, &row.tracer, &row.backend].map(Clone::clone);
     let line = |([codec, reduction, tracer, backend], sum, _): ([String; 4], Row, usize)| {
         let mut cells = vec![codec, reduction, format!("{tracer} {backend}")];
         cells.extend(figures(&sum));
@@ -116,7 +112,15 @@ fn faults(rows: &[&Row]) -> Table {
         notes,
         word_columns: 4,
         head: vec![
-            "family", "magnitude", "tracer", "tree", "rays", "missed", "false", "wrong", "adrift",
+            "family",
+            "magnitude",
+            "tracer",
+            "tree",
+            "rays",
+            "missed",
+            "false",
+            "wrong",
+            "adrift",
         ],
         rows: rows.iter().take(MOST_LISTED).map(line).collect(),
     }
@@ -124,7 +128,13 @@ fn faults(rows: &[&Row]) -> Table {
 
 /// Rays, and what is wrong with them.
 fn figures(row: &Row) -> [String; 5] {
-    let figures = [row.rays, row.missed, row.false_hits, row.wrong_primitive, row.adrift];
+    let figures = [
+        row.rays,
+        row.missed,
+        row.false_hits,
+        row.wrong_primitive,
+        row.adrift,
+    ];
     figures.map(count)
 }
 

@@ -39,8 +39,16 @@ fn ranges_end_exactly() {
 #[test]
 fn nothing_overflows_or_underflows() {
     let (huge, tiny) = (f32::MAX, f32::from_bits(1));
-    let wall = Unculled::new(vec![[[-huge, -huge, huge], [huge, -huge, huge], [0.0, huge, huge]]]);
-    let dust = Unculled::new(vec![[[-tiny, -tiny, tiny], [tiny, -tiny, tiny], [0.0, tiny, tiny]]]);
+    let wall = Unculled::new(vec![[
+        [-huge, -huge, huge],
+        [huge, -huge, huge],
+        [0.0, huge, huge],
+    ]]);
+    let dust = Unculled::new(vec![[
+        [-tiny, -tiny, tiny],
+        [tiny, -tiny, tiny],
+        [0.0, tiny, tiny],
+    ]]);
     for direction in [tiny, 1.0, huge] {
         let ray = Ray::new([tiny, -tiny, -huge], [0.0, 0.0, direction]);
         let crossings = wall.crossings(&ray, u32::MAX);
