@@ -5,7 +5,7 @@
 //! two rounded products: rounding is monotone, so the answer is right or "on the edge", the same for both triangles of
 //! the edge, and on the edge is inside.
 
-use crate::float::{abs, max, min};
+use crate::float::{UNIT_ROUNDOFF, abs, max, min};
 use crate::ray::{Hit, PreparedRay};
 use crate::slab::{PlanePair, crossings};
 use glam::Vec3;
@@ -76,7 +76,10 @@ pub fn intersect(ray: &PreparedRay, corners: [[f32; 3]; 3], limit: f32, primitiv
     if first > own_box.padded_exit.x || first > limit {
         return Hit::MISS;
     }
-    let t = max(min(plane_t(ray, corners, [a, b, c]), exit), enter);
+    let t = max(
+        min(plane_t(ray, corners, [a, b, c], [e0, e1, e2]), exit),
+        enter,
+    );
     if t >= ray.t_min && t <= limit {
         let scale = 1.0 / area;
         Hit {
@@ -99,16 +102,24 @@ fn is_beside(a: f32, b: f32, c: f32) -> bool {
     min(min(a, b), c) > 0.0 || max(max(a, b), c) < 0.0
 }
 
-/// Where the ray's line meets the triangle's plane: first where it passes the point beside it on the longest side, then on
-/// to the plane, `n·p / n·d`. `sheared` are the corners as they are seen along the ray.
+/// Where the ray's line meets the triangle's plane: `n·p / n·d`. `sheared` are the corners as they are seen along the ray,
+/// `weights` those of the point that the ray meets.
 ///
-/// The normal comes from the two shortest edges (as in Embree's `stable_triangle_normal`). It is off by rounding times how
-/// much longer than high the triangle is, and so is t, times the way from p: from a corner, that is the triangle's length,
-/// from the side beside the ray no more than its height. To weight the corners' own t would be off by the weights'
-/// rounding times the corners' distance: on a wall 100,000 times as long as wide, that puts the hit behind the eye. Where
-/// the triangle is seen almost from its edge, the point beside the ray has to do.
+/// The normal comes from the two shortest edges (as in Embree's `stable_triangle_normal`), and p is the corner of the
+/// largest weight, so that t is about as good as the corners are. To weight the corners' own t would be off by the
+/// weights' rounding times the corners' distance: on a wall 100,000 times as long as wide, that puts the hit behind
+/// the eye.
+///
+/// On a triangle that is almost a line the normal is hardly known, nor is the plane that far from p. So it must pass the
+/// point on the longest side beside the ray. Else, and where the ray runs in the plane as far as rounding can tell, t is
+/// where the ray passes this point, and the rest of the way is with that normal, where it is no longer than the triangle.
 #[inline(always)]
-fn plane_t(ray: &PreparedRay, corners: [[f32; 3]; 3], sheared: [Sheared; 3]) -> f32 {
+fn plane_t(
+    ray: &PreparedRay,
+    corners: [[f32; 3]; 3],
+    sheared: [Sheared; 3],
+    weights: [f32; 3],
+) -> f32 {
     let [a, b, c] = corners.map(Vec3::from_array);
     let [at_a, at_b, at_c] = sheared;
     let (ab, bc, ca) = (b - a, c - b, a - c);
@@ -121,20 +132,44 @@ fn plane_t(ray: &PreparedRay, corners: [[f32; 3]; 3], sheared: [Sheared; 3]) -> 
     } else {
         (ab, bc, c, ca, at_c, at_a)
     };
+    let n = e.cross(f);
+    let (origin, direction) = (
+        Vec3::from_array(ray.origin),
+        Vec3::from_array(ray.direction),
+    );
+    let [weight_a, weight_b, weight_c] = weights;
+    let p = if weight_a >= weight_b && weight_a >= weight_c {
+        a
+    } else if weight_b >= weight_c {
+        b
+    } else {
+        c
+    };
+    let slope = n.dot(direction);
+    let t = n.dot(p - origin) / slope;
+
+    // The point on the longest side that the ray passes at a right angle, as seen along it.
     let (x, y) = (end.x - at.x, end.y - at.y);
     let share = max(min(-(at.x * x + at.y * y) / (x * x + y * y), 1.0), 0.0);
-    let p = from + side * share - Vec3::from_array(ray.origin);
-
-    let direction = Vec3::from_array(ray.direction);
+    let p = from + side * share - origin;
     let beside = p.z / direction.z;
-    let n = e.cross(f);
-    let rest = n.dot(p - direction * beside) / n.dot(direction);
+    let is_on_plane = abs(n.dot(p) - t * slope) <= PLANE_SLACK * max(size(p), longest) * size(n);
+    if is_on_plane && abs(slope) > EDGE_ON * size(e) * size(f) {
+        return t;
+    }
+    let rest = n.dot(p - direction * beside) / slope;
     if abs(rest) <= longest {
         beside + rest
     } else {
         beside
     }
 }
+
+/// What rounding may leave of `n·d` where the ray runs in the triangle's plane, relative to the sides that n comes from.
+const EDGE_ON: f32 = 64.0 * UNIT_ROUNDOFF;
+
+/// How far off the point beside the ray the plane may pass, relative to the way there.
+const PLANE_SLACK: f32 = 16.0 * UNIT_ROUNDOFF;
 
 /// The magnitude of the largest component.
 #[inline(always)]

@@ -114,11 +114,11 @@ impl Judge<'_> {
         (any && !(0..count).any(|primitive| self.is_near(line, primitive))).then_some(Fault::False)
     }
 
-    /// Whether the ray comes near a triangle within its range.
+    /// Whether the ray comes near a triangle within its range, whose ends are as uncertain as t.
     fn is_near(&self, line: &Line, primitive: u32) -> bool {
         let corners = self.subject.corners(primitive);
-        let [reach, _] = self.subject.slack(line, primitive, self.ulps);
-        segment_to_triangle(line.beside(&corners), corners) <= reach
+        let [reach, along] = self.subject.slack(line, primitive, self.ulps);
+        segment_to_triangle(line.beside(&corners, along), corners) <= reach
     }
 
     /// Where a hit is, if it is one.

@@ -15,6 +15,8 @@ mod row;
 mod run;
 mod shapes;
 mod slim;
+#[cfg(feature = "gpu")]
+mod slim_gpu;
 mod stack;
 mod storage;
 mod subject;
@@ -23,7 +25,7 @@ mod surface;
 mod tests;
 mod tracer;
 
-pub use bound::{BOUND_ULPS, LEAST_SHARE, ULP, bound};
+pub use bound::{BOUND_ULPS, LEAST_SHARE, ULP, bound, steepness};
 pub use families::{Case, cases};
 pub use judge::{Answer, Fault, Judge, Shot, Verdict};
 pub use moves::{MoveError, moved};
@@ -32,6 +34,8 @@ pub use recipe::{Aim, Face, Range, RayRecipe, Start};
 pub use row::Row;
 pub use run::run;
 pub use slim::Cpu;
+#[cfg(feature = "gpu")]
+pub use slim_gpu::Gpu;
 pub use subject::{Line, Subject};
 pub use surface::Surface;
 pub use tracer::{Failure, Outcome, Tracer, Tree};

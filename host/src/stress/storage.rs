@@ -1,6 +1,7 @@
 //! The codecs that are tried.
 
 use super::Effort;
+use crate::oracle::distance::{length, minus};
 use crate::{BuildConfig, CodeBits, LatticeBits, Mesh, MeshCodec, NodeCodec};
 use std::borrow::Cow;
 
@@ -107,9 +108,12 @@ impl Storage {
         };
         let step_exponent = mesh.finest_step() + coarser;
         let mut snapped = mesh.clone();
-        let moved = f64::from(snapped.snap(step_exponent));
-        // Half a step on each axis; the distance itself is rounded.
-        let bound = 0.75f64.sqrt() * 2f64.powi(step_exponent) * (1.0 + f64::from(f32::EPSILON));
+        snapped.snap(step_exponent);
+        let pairs = mesh.vertices.iter().zip(&snapped.vertices);
+        let moved = pairs.map(|(a, b)| length(minus(a.map(f64::from), b.map(f64::from))));
+        let moved = moved.fold(0.0, f64::max);
+        // Half a step on each axis; the sum of squares is rounded.
+        let bound = 0.75f64.sqrt() * 2f64.powi(step_exponent) * (1.0 + 4.0 * f64::EPSILON);
         Prepared {
             mesh: Cow::Owned(snapped),
             config: config(MeshCodec::Lattice { step_exponent }),

@@ -140,15 +140,16 @@ impl Line {
         plus(self.origin, self.unit, t * self.length)
     }
 
-    /// The part of the ray's range in which a triangle may lie.
+    /// The part of the ray's range, longer by this at both ends, in which a triangle may lie.
     #[must_use]
-    pub fn beside(&self, corners: &[Point; 3]) -> [Point; 2] {
+    pub fn beside(&self, corners: &[Point; 3], margin: f64) -> [Point; 2] {
         let ways = corners.map(|corner| dot(minus(corner, self.origin), self.unit));
         let sizes = corners.map(|corner| length(minus(corner, corners[0])));
         let size = sizes.into_iter().fold(0.0, f64::max);
         let low = ways.into_iter().fold(f64::INFINITY, f64::min) - size;
         let high = ways.into_iter().fold(f64::NEG_INFINITY, f64::max) + size;
         let ends = [self.ray.t_min, self.ray.t_max].map(|t| f64::from(t) * self.length);
-        [low, high].map(|way| plus(self.origin, self.unit, way.clamp(ends[0], ends[1])))
+        let [first, last] = [ends[0] - margin, ends[1] + margin];
+        [low, high].map(|way| plus(self.origin, self.unit, way.clamp(first, last)))
     }
 }

@@ -19,11 +19,19 @@ pub fn tracers(arguments: &StressArguments) -> Result<Vec<Box<dyn Tracer + Send>
     arguments.backend.iter().map(tracer).collect()
 }
 
+/// As there is none.
 #[cfg(not(feature = "gpu"))]
 fn gpu(_: &StressArguments) -> Result<Box<dyn Tracer + Send>> {
     bail!("this build has no GPU backend; use --backend cpu, or build with the feature gpu")
 }
+
 #[cfg(feature = "gpu")]
-fn gpu(_: &StressArguments) -> Result<Box<dyn Tracer + Send>> {
-    bail!("not yet")
+fn gpu(arguments: &StressArguments) -> Result<Box<dyn Tracer + Send>> {
+    use slimbvh::gpu::{AdapterChoice, Gpu};
+    let named = arguments.adapter.clone().map(AdapterChoice::Named);
+    let gpu = Gpu::open(&named.unwrap_or(AdapterChoice::Hardware))?;
+    Ok(Box::new(slimbvh::stress::Gpu {
+        gpu,
+        effort: arguments.effort(),
+    }))
 }
