@@ -12,8 +12,11 @@ use std::cell::Cell;
 
 /// Nodes on the longest way from the root to a leaf, the leaf included. 0 for no tree.
 pub fn depth(bvh: &Bvh) -> u32 {
+    if bvh.triangle_count() == 0 {
+        return 0;
+    }
     let nodes = bvh.nodes();
-    let mut deepest = u32::from(bvh.triangle_count() > 0);
+    let mut deepest = 1;
     let mut waiting = vec![(0, 1)];
     while let Some((index, depth)) = waiting.pop() {
         deepest = deepest.max(depth);

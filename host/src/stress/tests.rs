@@ -71,13 +71,15 @@ impl Known {
         judge.judge(&self.shots[i], &self.crossings[i], answer)
     }
 
-    /// The first crossing, where it must be met and is not seen from the edge.
+    /// The first crossing, where it must be met and is seen well.
     fn certain(&self, i: usize) -> Option<(Line, &Crossing)> {
         let line = self.subject.line(&self.shots[i].ray)?;
         let first = self.crossings[i].first()?;
         let corners = self.subject.corners(first.primitive);
         let is_certain = self.subject.must_be_met(&line, first, BOUND_ULPS)
             && steepness(line.unit, &corners) > 0.1
+            // It does not come from so far that everything is near.
+            && self.subject.slack(&line, first.primitive, BOUND_ULPS)[0] < 1e-5
             && first.t.abs() > 1e-30
             && first.t.abs() < 1e30;
         is_certain.then_some((line, first))
