@@ -22,7 +22,8 @@ Examples:
   slimbvh stress --only slivers flat --json -
   slimbvh stress --with peers.json
 
-Exit codes: 0 nothing is wrong, 1 a hit is missed, false or the wrong one, or a vertex moved too far, 2 bad input.";
+Exit codes: 0 nothing is wrong, 1 a hit of slimbvh's is missed, false or the wrong one, or a vertex moved too far, 2 bad
+input.";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -43,7 +44,7 @@ pub struct StressArguments {
     #[arg(long, value_name = "FAMILY", num_args = 1..)]
     only: Vec<String>,
 
-    /// Rows of other tracers to show and judge beside ours: JSON as --json writes it
+    /// Rows of other tracers to show beside ours, as JSON that --json wrote. The exit code is for ours alone
     #[arg(long, value_name = "FILE")]
     with: Vec<PathBuf>,
 
@@ -72,9 +73,11 @@ pub fn run(arguments: &StressArguments) -> Result<ExitCode> {
     }
     let others = arguments.with.iter().map(|path| Others::read(path));
     let others = others.collect::<Result<Vec<_>>>()?;
-    let mut rows = arguments.threads.run(|| measure(arguments))??;
-    rows.extend(others.into_iter().flat_map(|others| others.rows));
-    let report = Report::new(arguments, rows);
+    let report = arguments.threads.run(|| -> Result<Report> {
+        let mut rows = measure(arguments)?;
+        rows.extend(others.into_iter().flat_map(|others| others.rows));
+        Ok(Report::new(arguments, rows))
+    })??;
     if !output::is_stdout(arguments.json.as_deref()) {
         output::print(&report.text())?;
     }

@@ -54,11 +54,11 @@ pub fn cases(effort: Effort) -> Vec<Case> {
     add(
         "equal centroids",
         vec![Case {
-            ray_count: effort.pick(48, 1000) as usize,
+            ray_count: effort.pick(48, 250) as usize,
             ..open("1e5 triangles", equal_centres(100_000, 5), effort)
         }],
     );
-    add("teapot in a stadium", stadiums(effort));
+    add("teapot, stadium", stadiums(effort));
     add("flat", flat(effort));
     add("denormal", denormal(effort));
     add("largest numbers", largest(effort));
@@ -78,7 +78,7 @@ fn open(magnitude: impl Into<String>, mesh: Mesh, effort: Effort) -> Case {
         code_bits: CodeBits::Bits30,
         inside: None,
         eye: None,
-        ray_count: effort.pick(600, 20_000) as usize,
+        ray_count: effort.pick(600, 5000) as usize,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::StressArguments;
 use super::tables::tables;
-use crate::cli::output::things;
+use crate::cli::output::{count, things};
 use crate::cli::reproduce::{processor, wrap};
 use anyhow::{Context, Result};
 use serde::{Deserialize, Serialize};
@@ -41,8 +41,7 @@ impl Others {
 
 impl Report {
     pub fn new(arguments: &StressArguments, rows: Vec<Row>) -> Self {
-        let threads = arguments.threads.run(rayon::current_num_threads);
-        let threads = threads.unwrap_or(1);
+        let threads = rayon::current_num_threads();
         Self {
             command: arguments.command(),
             quick: arguments.quick,
@@ -53,33 +52,53 @@ impl Report {
         }
     }
 
+    fn own(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.tracer == "slimbvh")
+    }
+
     /// Whether our own answers are right, and all vertices kept to their bounds.
     pub fn is_clean(&self) -> bool {
-        let own = self.rows.iter().filter(|row| row.tracer == "slimbvh");
-        own.fold(true, |is_clean, row| {
-            is_clean && row.faults() == 0 && row.keeps_its_bound()
-        })
+        self.own()
+            .all(|row| row.faults() == 0 && row.keeps_its_bound())
+    }
+
+    fn verdict(&self) -> String {
+        let rays: u64 = self.own().map(|row| row.rays).sum();
+        let faults: u64 = self.own().map(Row::faults).sum();
+        let moved = self.own().filter(|row| !row.keeps_its_bound()).count();
+        let moved = match moved {
+            0 => String::new(),
+            _ => format!(
+                "; vertices moved beyond their bound in {}",
+                things(moved, "tree")
+            ),
+        };
+        match faults {
+            0 => format!(
+                "of {} of slimbvh's nothing is missed, false or the wrong one{moved}",
+                things(rays, "answer")
+            ),
+            _ => format!(
+                "of {} of slimbvh's {} at fault{moved}",
+                things(rays, "answer"),
+                count(faults)
+            ),
+        }
     }
 
     /// As it is printed.
     pub fn text(&self) -> String {
         let mut text = String::from("Rays that break tracers, against exact answers\n");
-        let faults: u64 = self.rows.iter().map(Row::faults).sum();
         let bound = format!(
             "a ray that passes farther than {BOUND_ULPS} ulps of the largest coordinate of its origin and the triangle from every border and \
              silhouette must meet what the exact ray meets, and what is reported must be no farther off its triangle. From inside of closed \
              surfaces something is met, without any tolerance. Codecs are judged by the triangles that they store"
         );
-        let rays: u64 = self.rows.iter().map(|row| row.rays).sum();
-        let verdict = match faults {
-            0 => "nothing is missed, false or the wrong one".to_owned(),
-            _ => format!("{} at fault, see below", things(faults, "answer")),
-        };
         let head = [
             ("command", format!("`{}`", self.command)),
             ("machine", self.machine.clone()),
             ("judged by", bound),
-            ("verdict", format!("{}: {verdict}", things(rays, "ray"))),
+            ("verdict", self.verdict()),
         ];
         for (name, value) in head {
             let mut lines = String::new();
