@@ -120,7 +120,12 @@ fn plane_t(
     sheared: [Sheared; 3],
     weights: [f32; 3],
 ) -> f32 {
-    let [a, b, c] = corners.map(Vec3::from_array);
+    let [a, b, c] = corners;
+    let (a, b, c) = (
+        Vec3::from_array(a),
+        Vec3::from_array(b),
+        Vec3::from_array(c),
+    );
     let [at_a, at_b, at_c] = sheared;
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let (size_ab, size_bc, size_ca) = (size(ab), size(bc), size(ca));
