@@ -83,416 +83,433 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_382_: i32;
-    var phi_383_: i32;
-    var phi_393_: bool;
-    var phi_403_: u32;
-    var phi_404_: u32;
-    var phi_406_: bool;
-    var phi_411_: u32;
-    var phi_423_: i32;
-    var phi_443_: i32;
-    var phi_461_: f32;
+    var phi_388_: i32;
+    var phi_389_: i32;
+    var phi_399_: bool;
+    var phi_409_: u32;
+    var phi_410_: u32;
+    var phi_412_: bool;
+    var phi_417_: u32;
+    var phi_429_: i32;
+    var phi_449_: i32;
     var phi_467_: f32;
-    var phi_478_: f32;
+    var phi_473_: f32;
     var phi_484_: f32;
-    var phi_507_: f32;
-    var phi_518_: f32;
-    var phi_527_: f32;
+    var phi_490_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
     var phi_533_: f32;
-    var phi_544_: f32;
+    var phi_539_: f32;
     var phi_550_: f32;
-    var phi_573_: f32;
-    var phi_584_: f32;
-    var phi_593_: f32;
+    var phi_556_: f32;
+    var phi_579_: f32;
+    var phi_590_: f32;
     var phi_599_: f32;
-    var phi_610_: f32;
+    var phi_605_: f32;
     var phi_616_: f32;
-    var phi_639_: f32;
-    var phi_650_: f32;
-    var phi_750_: f32;
-    var phi_751_: f32;
-    var phi_3739_: bool;
-    var phi_840_: type_38;
-    var phi_843_: type_45;
-    var phi_845_: u32;
-    var phi_847_: bool;
-    var phi_849_: u32;
-    var phi_860_: bool;
-    var phi_946_: type_45;
-    var phi_947_: bool;
-    var phi_948_: u32;
-    var phi_2772_: u32;
-    var phi_2778_: u32;
-    var phi_3032_: u32;
-    var phi_3033_: u32;
-    var phi_3043_: u32;
+    var phi_622_: f32;
+    var phi_645_: f32;
+    var phi_656_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_4012_: bool;
+    var phi_846_: type_38;
+    var phi_849_: type_45;
+    var phi_851_: u32;
+    var phi_853_: bool;
+    var phi_855_: u32;
+    var phi_866_: bool;
+    var phi_952_: type_45;
+    var phi_953_: bool;
+    var phi_954_: u32;
     var phi_3045_: u32;
-    var phi_3046_: bool;
-    var phi_3066_: u32;
-    var phi_3067_: u32;
-    var phi_3071_: type_46;
-    var phi_3415_: type_45;
-    var phi_3492_: type_45;
-    var phi_3493_: type_45;
-    var phi_3494_: u32;
-    var phi_3496_: type_45;
-    var phi_3497_: u32;
-    var phi_3498_: bool;
-    var phi_3507_: type_45;
-    var phi_3512_: type_45;
-    var phi_3513_: bool;
-    var phi_967_: type_38;
-    var phi_970_: type_8;
-    var phi_971_: type_8;
-    var phi_993_: type_8;
-    var phi_1034_: u32;
+    var phi_3051_: u32;
+    var phi_3305_: u32;
+    var phi_3306_: u32;
+    var phi_3316_: u32;
+    var phi_3318_: u32;
+    var phi_3319_: bool;
+    var phi_3339_: u32;
+    var phi_3340_: u32;
+    var phi_3344_: type_46;
+    var phi_3688_: type_45;
+    var phi_3765_: type_45;
+    var phi_3766_: type_45;
+    var phi_3767_: u32;
+    var phi_3769_: type_45;
+    var phi_3770_: u32;
+    var phi_3771_: bool;
+    var phi_3780_: type_45;
+    var phi_3785_: type_45;
+    var phi_3786_: bool;
+    var phi_973_: type_38;
+    var phi_976_: type_8;
+    var phi_977_: type_8;
+    var phi_999_: type_8;
     var phi_1040_: u32;
-    var phi_1050_: u32;
-    var phi_1066_: u32;
-    var phi_1099_: u32;
+    var phi_1046_: u32;
+    var phi_1056_: u32;
+    var phi_1072_: u32;
     var phi_1105_: u32;
-    var phi_1532_: u32;
-    var phi_1550_: u32;
-    var phi_1568_: u32;
-    var phi_1588_: u32;
-    var phi_1606_: u32;
-    var phi_1624_: u32;
-    var phi_1644_: u32;
-    var phi_1662_: u32;
-    var phi_1680_: u32;
-    var phi_1258_: u32;
-    var phi_1273_: u32;
-    var phi_1283_: u32;
-    var phi_1303_: u32;
-    var phi_1323_: u32;
-    var phi_1349_: u32;
-    var phi_1364_: u32;
-    var phi_1374_: u32;
-    var phi_1394_: u32;
-    var phi_1414_: u32;
-    var phi_1440_: u32;
-    var phi_1455_: u32;
-    var phi_1465_: u32;
-    var phi_1485_: u32;
-    var phi_1505_: u32;
-    var phi_1129_: u32;
-    var phi_1172_: u32;
-    var phi_1215_: u32;
-    var phi_1686_: array<array<f32, 3>, 3>;
-    var phi_2157_: vec3<f32>;
-    var phi_2158_: vec3<f32>;
-    var phi_2189_: bool;
-    var phi_2198_: vec3<f32>;
-    var phi_2238_: type_24;
-    var phi_2240_: type_24;
-    var phi_2241_: bool;
-    var phi_2245_: type_24;
-    var phi_2246_: type_24;
-    var phi_2247_: type_24;
-    var phi_2248_: bool;
-    var phi_2252_: type_24;
-    var phi_2253_: bool;
-    var phi_2257_: type_24;
-    var phi_2258_: bool;
-    var phi_2262_: type_24;
-    var phi_2273_: type_38;
-    var phi_2274_: type_38;
-    var phi_968_: type_38;
-    var phi_3733_: bool;
+    var phi_1111_: u32;
+    var phi_1538_: u32;
+    var phi_1556_: u32;
+    var phi_1574_: u32;
+    var phi_1594_: u32;
+    var phi_1612_: u32;
+    var phi_1630_: u32;
+    var phi_1650_: u32;
+    var phi_1668_: u32;
+    var phi_1686_: u32;
+    var phi_1264_: u32;
+    var phi_1279_: u32;
+    var phi_1289_: u32;
+    var phi_1309_: u32;
+    var phi_1329_: u32;
+    var phi_1355_: u32;
+    var phi_1370_: u32;
+    var phi_1380_: u32;
+    var phi_1400_: u32;
+    var phi_1420_: u32;
+    var phi_1446_: u32;
+    var phi_1461_: u32;
+    var phi_1471_: u32;
+    var phi_1491_: u32;
+    var phi_1511_: u32;
+    var phi_1135_: u32;
+    var phi_1178_: u32;
+    var phi_1221_: u32;
+    var phi_1692_: array<array<f32, 3>, 3>;
+    var phi_1809_: bool;
+    var phi_1838_: bool;
+    var phi_2239_: f32;
+    var phi_2240_: f32;
+    var phi_2241_: f32;
+    var phi_2242_: f32;
+    var phi_2243_: vec3<f32>;
+    var phi_2244_: vec3<f32>;
+    var phi_2245_: vec3<f32>;
+    var phi_2246_: vec3<f32>;
+    var phi_2277_: bool;
+    var phi_2286_: vec3<f32>;
+    var phi_2453_: bool;
+    var phi_2477_: f32;
+    var phi_2478_: f32;
+    var phi_2501_: type_24;
+    var phi_2503_: type_24;
+    var phi_2504_: bool;
+    var phi_2508_: type_24;
+    var phi_2509_: type_24;
+    var phi_2510_: type_24;
+    var phi_2511_: bool;
+    var phi_2515_: type_24;
+    var phi_2516_: bool;
+    var phi_2517_: type_24;
+    var phi_2518_: bool;
+    var phi_2519_: bool;
+    var phi_2520_: type_24;
+    var phi_2521_: bool;
+    var phi_2522_: bool;
+    var phi_2530_: type_24;
+    var phi_2531_: bool;
+    var phi_2535_: type_24;
+    var phi_2546_: type_38;
+    var phi_2547_: type_38;
+    var phi_974_: type_38;
+    var phi_4006_: bool;
     var local_10: type_38;
-    var phi_3895_: bool;
-    var phi_3515_: type_38;
-    var phi_3516_: type_45;
-    var phi_3517_: bool;
-    var phi_3518_: u32;
-    var phi_3894_: bool;
-    var phi_3519_: type_38;
-    var phi_3520_: type_45;
-    var phi_3521_: u32;
-    var phi_3522_: bool;
-    var phi_3523_: u32;
-    var phi_3893_: bool;
-    var phi_3524_: type_38;
-    var phi_3525_: type_45;
-    var phi_3526_: u32;
-    var phi_3527_: bool;
-    var phi_3528_: u32;
-    var phi_3892_: bool;
-    var phi_841_: type_38;
-    var phi_844_: type_45;
-    var phi_846_: u32;
-    var phi_848_: bool;
-    var phi_850_: u32;
-    var phi_3529_: bool;
-    var phi_3891_: bool;
+    var phi_4196_: bool;
+    var phi_3788_: type_38;
+    var phi_3789_: type_45;
+    var phi_3790_: bool;
+    var phi_3791_: u32;
+    var phi_4195_: bool;
+    var phi_3792_: type_38;
+    var phi_3793_: type_45;
+    var phi_3794_: u32;
+    var phi_3795_: bool;
+    var phi_3796_: u32;
+    var phi_4194_: bool;
+    var phi_3797_: type_38;
+    var phi_3798_: type_45;
+    var phi_3799_: u32;
+    var phi_3800_: bool;
+    var phi_3801_: u32;
+    var phi_4193_: bool;
+    var phi_847_: type_38;
+    var phi_850_: type_45;
+    var phi_852_: u32;
+    var phi_854_: bool;
+    var phi_856_: u32;
+    var phi_3802_: bool;
+    var phi_4192_: bool;
     var local_11: type_38;
     var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e88 = global;
-            let _e90 = arrayLength((&global_3.member));
-            let _e93 = arrayLength((&global_6.member));
-            let _e101 = global_2.member[0u][0u];
-            let _e105 = global_2.member[0u][1u];
-            let _e109 = global_2.member[0u][2u];
-            let _e113 = global_2.member[0u][3u];
-            let _e117 = global_2.member[1u][0u];
-            let _e121 = global_2.member[1u][1u];
-            let _e125 = global_2.member[1u][2u];
-            let _e128 = global_1.member[0u];
-            let _e129 = bitcast<i32>(_e128);
-            let _e141 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e113) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e101), bitcast<i32>(_e105), bitcast<i32>(_e109));
-            local = array<i32, 3>(bitcast<i32>(_e117), bitcast<i32>(_e121), bitcast<i32>(_e125));
-            let _e147 = (_e88.x + (_e88.y * 2097152u));
-            let _e148 = (_e147 < arrayLength((&global_4.member)));
-            if _e148 {
-                let _e149 = (_e147 < arrayLength((&global_5.member)));
-                if _e149 {
-                    if _e148 {
+            let _e90 = global;
+            let _e92 = arrayLength((&global_3.member));
+            let _e95 = arrayLength((&global_6.member));
+            let _e103 = global_2.member[0u][0u];
+            let _e107 = global_2.member[0u][1u];
+            let _e111 = global_2.member[0u][2u];
+            let _e115 = global_2.member[0u][3u];
+            let _e119 = global_2.member[1u][0u];
+            let _e123 = global_2.member[1u][1u];
+            let _e127 = global_2.member[1u][2u];
+            let _e130 = global_1.member[0u];
+            let _e131 = bitcast<i32>(_e130);
+            let _e143 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e115) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e103), bitcast<i32>(_e107), bitcast<i32>(_e111));
+            local = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
+            let _e149 = (_e90.x + (_e90.y * 2097152u));
+            let _e150 = (_e149 < arrayLength((&global_4.member)));
+            if _e150 {
+                let _e151 = (_e149 < arrayLength((&global_5.member)));
+                if _e151 {
+                    if _e150 {
                     } else {
                         break;
                     }
-                    let _e157 = global_4.member[_e147].member_2[0u];
-                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
-                    let _e164 = global_4.member[_e147].member_2[1u];
-                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                    let _e171 = global_4.member[_e147].member_2[2u];
-                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
-                    let _e178 = global_4.member[_e147].member[0u];
-                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                    let _e185 = global_4.member[_e147].member[1u];
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e192 = global_4.member[_e147].member[2u];
-                    let _e194 = (bitcast<u32>(_e192) & 2147483647u);
-                    let _e196 = select(_e166, _e159, (_e166 < _e159));
-                    let _e198 = select(_e173, _e196, (_e173 < _e196));
-                    let _e200 = select(_e180, _e198, (_e180 < _e198));
-                    let _e202 = select(_e187, _e200, (_e187 < _e200));
-                    let _e204 = select(_e194, _e202, (_e194 < _e202));
-                    let _e208 = global_4.member[_e147].member_1;
-                    let _e210 = (bitcast<u32>(_e208) & 2147483647u);
-                    let _e217 = global_4.member[_e147].member_3;
-                    let _e223 = (((select(_e210, _e204, (_e210 < _e204)) < 2139095040u) && ((bitcast<u32>(_e217) & 2147483647u) <= 2139095040u)) && (_e198 > 0u));
-                    if _e223 {
-                        let _e226 = (bitcast<u32>(bitcast<f32>(_e198)) & 2147483647u);
-                        if (_e226 >= 8388608u) {
-                            phi_382_ = (bitcast<i32>((_e226 >> bitcast<u32>(23i))) - 127i);
+                    let _e159 = global_4.member[_e149].member_2[0u];
+                    let _e161 = (bitcast<u32>(_e159) & 2147483647u);
+                    let _e166 = global_4.member[_e149].member_2[1u];
+                    let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                    let _e173 = global_4.member[_e149].member_2[2u];
+                    let _e175 = (bitcast<u32>(_e173) & 2147483647u);
+                    let _e180 = global_4.member[_e149].member[0u];
+                    let _e182 = (bitcast<u32>(_e180) & 2147483647u);
+                    let _e187 = global_4.member[_e149].member[1u];
+                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
+                    let _e194 = global_4.member[_e149].member[2u];
+                    let _e196 = (bitcast<u32>(_e194) & 2147483647u);
+                    let _e198 = select(_e168, _e161, (_e168 < _e161));
+                    let _e200 = select(_e175, _e198, (_e175 < _e198));
+                    let _e202 = select(_e182, _e200, (_e182 < _e200));
+                    let _e204 = select(_e189, _e202, (_e189 < _e202));
+                    let _e206 = select(_e196, _e204, (_e196 < _e204));
+                    let _e210 = global_4.member[_e149].member_1;
+                    let _e212 = (bitcast<u32>(_e210) & 2147483647u);
+                    let _e219 = global_4.member[_e149].member_3;
+                    let _e225 = (((select(_e212, _e206, (_e212 < _e206)) < 2139095040u) && ((bitcast<u32>(_e219) & 2147483647u) <= 2139095040u)) && (_e200 > 0u));
+                    if _e225 {
+                        let _e228 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
+                        if (_e228 >= 8388608u) {
+                            phi_388_ = (bitcast<i32>((_e228 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_382_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e226)), 32u, (_e226 == 0u))));
+                            phi_388_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e228)), 32u, (_e228 == 0u))));
                         }
-                        let _e240 = phi_382_;
-                        phi_383_ = _e240;
+                        let _e242 = phi_388_;
+                        phi_389_ = _e242;
                     } else {
-                        phi_383_ = 0i;
+                        phi_389_ = 0i;
                     }
-                    let _e242 = phi_383_;
-                    let _e243 = (_e159 == _e198);
-                    if _e243 {
-                        phi_393_ = true;
+                    let _e244 = phi_389_;
+                    let _e245 = (_e161 == _e200);
+                    if _e245 {
+                        phi_399_ = true;
                     } else {
-                        phi_393_ = (_e166 == _e198);
+                        phi_399_ = (_e168 == _e200);
                     }
-                    let _e246 = phi_393_;
-                    let _e247 = select(1u, 0u, _e243);
-                    if _e246 {
-                        let _e248 = (_e247 + 1u);
-                        phi_403_ = _e248;
-                        phi_404_ = _e248;
-                        phi_406_ = select(true, false, (_e248 == 2u));
+                    let _e248 = phi_399_;
+                    let _e249 = select(1u, 0u, _e245);
+                    if _e248 {
+                        let _e250 = (_e249 + 1u);
+                        phi_409_ = _e250;
+                        phi_410_ = _e250;
+                        phi_412_ = select(true, false, (_e250 == 2u));
                     } else {
-                        phi_403_ = u32();
-                        phi_404_ = 0u;
-                        phi_406_ = true;
+                        phi_409_ = u32();
+                        phi_410_ = 0u;
+                        phi_412_ = true;
                     }
-                    let _e252 = phi_403_;
-                    let _e254 = phi_404_;
-                    let _e256 = phi_406_;
-                    if _e256 {
-                        phi_411_ = (_e254 + 1u);
+                    let _e254 = phi_409_;
+                    let _e256 = phi_410_;
+                    let _e258 = phi_412_;
+                    if _e258 {
+                        phi_417_ = (_e256 + 1u);
                     } else {
-                        phi_411_ = 0u;
+                        phi_417_ = 0u;
                     }
-                    let _e260 = phi_411_;
-                    let _e261 = select(_e252, _e254, _e256);
-                    let _e262 = select(_e247, select(2u, _e247, _e246), _e256);
-                    if (_e129 < -126i) {
-                        phi_423_ = -126i;
+                    let _e262 = phi_417_;
+                    let _e263 = select(_e254, _e256, _e258);
+                    let _e264 = select(_e249, select(2u, _e249, _e248), _e258);
+                    if (_e131 < -126i) {
+                        phi_429_ = -126i;
                     } else {
-                        phi_423_ = select(_e129, 127i, (_e129 > 127i));
+                        phi_429_ = select(_e131, 127i, (_e131 > 127i));
                     }
-                    let _e267 = phi_423_;
-                    let _e272 = bitcast<f32>((bitcast<u32>((_e267 + 127i)) << bitcast<u32>(23i)));
-                    let _e278 = bitcast<f32>((bitcast<u32>(((_e129 - _e267) + 127i)) << bitcast<u32>(23i)));
-                    let _e279 = -(_e242);
-                    if (_e279 < -126i) {
-                        phi_443_ = -126i;
+                    let _e269 = phi_429_;
+                    let _e274 = bitcast<f32>((bitcast<u32>((_e269 + 127i)) << bitcast<u32>(23i)));
+                    let _e280 = bitcast<f32>((bitcast<u32>(((_e131 - _e269) + 127i)) << bitcast<u32>(23i)));
+                    let _e281 = -(_e244);
+                    if (_e281 < -126i) {
+                        phi_449_ = -126i;
                     } else {
-                        phi_443_ = select(_e279, 127i, (_e279 > 127i));
+                        phi_449_ = select(_e281, 127i, (_e281 > 127i));
                     }
-                    let _e284 = phi_443_;
-                    let _e289 = bitcast<f32>((bitcast<u32>((_e284 + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = bitcast<f32>((bitcast<u32>(((_e279 - _e284) + 127i)) << bitcast<u32>(23i)));
-                    let _e299 = global_4.member[_e147].member;
-                    let _e300 = (_e261 == 0u);
-                    if _e300 {
-                        phi_461_ = _e299[0];
+                    let _e286 = phi_449_;
+                    let _e291 = bitcast<f32>((bitcast<u32>((_e286 + 127i)) << bitcast<u32>(23i)));
+                    let _e297 = bitcast<f32>((bitcast<u32>(((_e281 - _e286) + 127i)) << bitcast<u32>(23i)));
+                    let _e301 = global_4.member[_e149].member;
+                    let _e302 = (_e263 == 0u);
+                    if _e302 {
+                        phi_467_ = _e301[0];
                     } else {
-                        phi_461_ = _e299[1];
+                        phi_467_ = _e301[1];
                     }
-                    let _e304 = phi_461_;
-                    let _e305 = (_e261 == 2u);
-                    if _e305 {
-                        phi_467_ = _e299[2];
+                    let _e306 = phi_467_;
+                    let _e307 = (_e263 == 2u);
+                    if _e307 {
+                        phi_473_ = _e301[2];
                     } else {
-                        phi_467_ = _e304;
+                        phi_473_ = _e306;
                     }
-                    let _e308 = phi_467_;
-                    let _e310 = ((_e308 * _e272) * _e278);
-                    let _e311 = global_4.member[_e147].member_2;
-                    if _e300 {
-                        phi_478_ = _e311[0];
+                    let _e310 = phi_473_;
+                    let _e312 = ((_e310 * _e274) * _e280);
+                    let _e313 = global_4.member[_e149].member_2;
+                    if _e302 {
+                        phi_484_ = _e313[0];
                     } else {
-                        phi_478_ = _e311[1];
+                        phi_484_ = _e313[1];
                     }
-                    let _e315 = phi_478_;
-                    if _e305 {
-                        phi_484_ = _e311[2];
+                    let _e317 = phi_484_;
+                    if _e307 {
+                        phi_490_ = _e313[2];
                     } else {
-                        phi_484_ = _e315;
+                        phi_490_ = _e317;
                     }
-                    let _e318 = phi_484_;
-                    let _e320 = ((_e318 * _e289) * _e295);
-                    let _e324 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e324 {
-                        let _e328 = (bitcast<f32>((bitcast<u32>(_e310) & 2147483647u)) * 0.00000011920929f);
-                        phi_507_ = select(0.00000000000011368684f, _e328, (_e328 > 0.00000000000011368684f));
+                    let _e320 = phi_490_;
+                    let _e322 = ((_e320 * _e291) * _e297);
+                    let _e326 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e326 {
+                        let _e330 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e330, (_e330 > 0.00000000000011368684f));
                     } else {
-                        phi_507_ = 0f;
+                        phi_513_ = 0f;
                     }
-                    let _e332 = phi_507_;
-                    let _e333 = (_e310 + _e332);
-                    let _e334 = (_e310 - _e332);
-                    let _e335 = select(_e320, 0f, _e324);
-                    if _e324 {
-                        phi_518_ = 38685626000000000000000000f;
+                    let _e334 = phi_513_;
+                    let _e335 = (_e312 + _e334);
+                    let _e336 = (_e312 - _e334);
+                    let _e337 = select(_e322, 0f, _e326);
+                    if _e326 {
+                        phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_518_ = (1f / _e320);
+                        phi_524_ = (1f / _e322);
                     }
-                    let _e338 = phi_518_;
-                    let _e339 = (_e260 == 0u);
-                    if _e339 {
-                        phi_527_ = _e299[0];
+                    let _e340 = phi_524_;
+                    let _e341 = (_e262 == 0u);
+                    if _e341 {
+                        phi_533_ = _e301[0];
                     } else {
-                        phi_527_ = _e299[1];
+                        phi_533_ = _e301[1];
                     }
-                    let _e343 = phi_527_;
-                    let _e344 = (_e260 == 2u);
-                    if _e344 {
-                        phi_533_ = _e299[2];
+                    let _e345 = phi_533_;
+                    let _e346 = (_e262 == 2u);
+                    if _e346 {
+                        phi_539_ = _e301[2];
                     } else {
-                        phi_533_ = _e343;
+                        phi_539_ = _e345;
                     }
-                    let _e347 = phi_533_;
-                    let _e349 = ((_e347 * _e272) * _e278);
-                    if _e339 {
-                        phi_544_ = _e311[0];
+                    let _e349 = phi_539_;
+                    let _e351 = ((_e349 * _e274) * _e280);
+                    if _e341 {
+                        phi_550_ = _e313[0];
                     } else {
-                        phi_544_ = _e311[1];
+                        phi_550_ = _e313[1];
                     }
-                    let _e353 = phi_544_;
-                    if _e344 {
-                        phi_550_ = _e311[2];
+                    let _e355 = phi_550_;
+                    if _e346 {
+                        phi_556_ = _e313[2];
                     } else {
-                        phi_550_ = _e353;
+                        phi_556_ = _e355;
                     }
-                    let _e356 = phi_550_;
-                    let _e358 = ((_e356 * _e289) * _e295);
-                    let _e362 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e362 {
-                        let _e366 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) * 0.00000011920929f);
-                        phi_573_ = select(0.00000000000011368684f, _e366, (_e366 > 0.00000000000011368684f));
+                    let _e358 = phi_556_;
+                    let _e360 = ((_e358 * _e291) * _e297);
+                    let _e364 = (bitcast<f32>((bitcast<u32>(_e360) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e364 {
+                        let _e368 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) * 0.00000011920929f);
+                        phi_579_ = select(0.00000000000011368684f, _e368, (_e368 > 0.00000000000011368684f));
                     } else {
-                        phi_573_ = 0f;
+                        phi_579_ = 0f;
                     }
-                    let _e370 = phi_573_;
-                    let _e371 = (_e349 + _e370);
-                    let _e372 = (_e349 - _e370);
-                    let _e373 = select(_e358, 0f, _e362);
-                    if _e362 {
-                        phi_584_ = 38685626000000000000000000f;
+                    let _e372 = phi_579_;
+                    let _e373 = (_e351 + _e372);
+                    let _e374 = (_e351 - _e372);
+                    let _e375 = select(_e360, 0f, _e364);
+                    if _e364 {
+                        phi_590_ = 38685626000000000000000000f;
                     } else {
-                        phi_584_ = (1f / _e358);
+                        phi_590_ = (1f / _e360);
                     }
-                    let _e376 = phi_584_;
-                    let _e377 = (_e262 == 0u);
-                    if _e377 {
-                        phi_593_ = _e299[0];
+                    let _e378 = phi_590_;
+                    let _e379 = (_e264 == 0u);
+                    if _e379 {
+                        phi_599_ = _e301[0];
                     } else {
-                        phi_593_ = _e299[1];
+                        phi_599_ = _e301[1];
                     }
-                    let _e381 = phi_593_;
-                    let _e382 = (_e262 == 2u);
-                    if _e382 {
-                        phi_599_ = _e299[2];
+                    let _e383 = phi_599_;
+                    let _e384 = (_e264 == 2u);
+                    if _e384 {
+                        phi_605_ = _e301[2];
                     } else {
-                        phi_599_ = _e381;
+                        phi_605_ = _e383;
                     }
-                    let _e385 = phi_599_;
-                    let _e387 = ((_e385 * _e272) * _e278);
-                    if _e377 {
-                        phi_610_ = _e311[0];
+                    let _e387 = phi_605_;
+                    let _e389 = ((_e387 * _e274) * _e280);
+                    if _e379 {
+                        phi_616_ = _e313[0];
                     } else {
-                        phi_610_ = _e311[1];
+                        phi_616_ = _e313[1];
                     }
-                    let _e391 = phi_610_;
-                    if _e382 {
-                        phi_616_ = _e311[2];
+                    let _e393 = phi_616_;
+                    if _e384 {
+                        phi_622_ = _e313[2];
                     } else {
-                        phi_616_ = _e391;
+                        phi_622_ = _e393;
                     }
-                    let _e394 = phi_616_;
-                    let _e396 = ((_e394 * _e289) * _e295);
-                    let _e400 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e400 {
-                        let _e404 = (bitcast<f32>((bitcast<u32>(_e387) & 2147483647u)) * 0.00000011920929f);
-                        phi_639_ = select(0.00000000000011368684f, _e404, (_e404 > 0.00000000000011368684f));
+                    let _e396 = phi_622_;
+                    let _e398 = ((_e396 * _e291) * _e297);
+                    let _e402 = (bitcast<f32>((bitcast<u32>(_e398) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e402 {
+                        let _e406 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) * 0.00000011920929f);
+                        phi_645_ = select(0.00000000000011368684f, _e406, (_e406 > 0.00000000000011368684f));
                     } else {
-                        phi_639_ = 0f;
+                        phi_645_ = 0f;
                     }
-                    let _e408 = phi_639_;
-                    let _e409 = (_e387 + _e408);
-                    let _e410 = (_e387 - _e408);
-                    let _e411 = select(_e396, 0f, _e400);
-                    if _e400 {
-                        phi_650_ = 38685626000000000000000000f;
+                    let _e410 = phi_645_;
+                    let _e411 = (_e389 + _e410);
+                    let _e412 = (_e389 - _e410);
+                    let _e413 = select(_e398, 0f, _e402);
+                    if _e402 {
+                        phi_656_ = 38685626000000000000000000f;
                     } else {
-                        phi_650_ = (1f / _e396);
+                        phi_656_ = (1f / _e398);
                     }
-                    let _e414 = phi_650_;
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e310) & 2147483647u));
-                    let _e420 = bitcast<f32>((bitcast<u32>(_e349) & 2147483647u));
-                    let _e422 = select(_e420, _e417, (_e417 > _e420));
-                    let _e425 = bitcast<f32>((bitcast<u32>(_e387) & 2147483647u));
-                    let _e428 = (_e129 + _e242);
-                    if (_e223 && (select(_e425, _e422, (_e422 > _e425)) <= 1099511600000f)) {
-                        let _e431 = (_e428 / 3i);
-                        let _e438 = bitcast<f32>((bitcast<u32>((_e431 + 127i)) << bitcast<u32>(23i)));
-                        let _e445 = bitcast<f32>((bitcast<u32>(((_e428 - (2i * _e431)) + 127i)) << bitcast<u32>(23i)));
-                        let _e446 = (((_e208 * _e438) * _e438) * _e445);
-                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
-                        let _e453 = (((_e217 * _e438) * _e438) * _e445);
-                        let _e455 = select(340282350000000000000000000000000000000f, _e453, (_e453 < 340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e455, (_e455 > -340282350000000000000000000000000000000f));
-                        phi_751_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                    let _e416 = phi_656_;
+                    let _e419 = bitcast<f32>((bitcast<u32>(_e312) & 2147483647u));
+                    let _e422 = bitcast<f32>((bitcast<u32>(_e351) & 2147483647u));
+                    let _e424 = select(_e422, _e419, (_e419 > _e422));
+                    let _e427 = bitcast<f32>((bitcast<u32>(_e389) & 2147483647u));
+                    let _e430 = (_e131 + _e244);
+                    if (_e225 && (select(_e427, _e424, (_e424 > _e427)) <= 1099511600000f)) {
+                        let _e433 = (_e430 / 3i);
+                        let _e440 = bitcast<f32>((bitcast<u32>((_e433 + 127i)) << bitcast<u32>(23i)));
+                        let _e447 = bitcast<f32>((bitcast<u32>(((_e430 - (2i * _e433)) + 127i)) << bitcast<u32>(23i)));
+                        let _e448 = (((_e210 * _e440) * _e440) * _e447);
+                        let _e450 = select(340282350000000000000000000000000000000f, _e448, (_e448 < 340282350000000000000000000000000000000f));
+                        let _e455 = (((_e219 * _e440) * _e440) * _e447);
+                        let _e457 = select(340282350000000000000000000000000000000f, _e455, (_e455 < 340282350000000000000000000000000000000f));
+                        phi_756_ = select(-340282350000000000000000000000000000000f, _e457, (_e457 > -340282350000000000000000000000000000000f));
+                        phi_757_ = select(-340282350000000000000000000000000000000f, _e450, (_e450 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_750_ = 0f;
-                        phi_751_ = 1f;
+                        phi_756_ = 0f;
+                        phi_757_ = 1f;
                     }
-                    let _e459 = phi_750_;
-                    let _e461 = phi_751_;
+                    let _e461 = phi_756_;
+                    let _e463 = phi_757_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -501,1160 +518,1268 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e465 = (_e261 % 3u);
-                    let _e466 = (_e465 < 3u);
-                    if _e466 {
+                    let _e467 = (_e263 % 3u);
+                    let _e468 = (_e467 < 3u);
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e468 = local_1[_e465];
-                    let _e471 = (_e260 % 3u);
-                    let _e472 = (_e471 < 3u);
-                    if _e472 {
+                    let _e470 = local_1[_e467];
+                    let _e473 = (_e262 % 3u);
+                    let _e474 = (_e473 < 3u);
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e474 = local_1[_e471];
-                    let _e477 = (_e262 % 3u);
-                    let _e478 = (_e477 < 3u);
-                    if _e478 {
+                    let _e476 = local_1[_e473];
+                    let _e479 = (_e264 % 3u);
+                    let _e480 = (_e479 < 3u);
+                    if _e480 {
                     } else {
                         break;
                     }
-                    let _e480 = local_1[_e477];
-                    if _e466 {
+                    let _e482 = local_1[_e479];
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e465];
-                    if _e472 {
+                    let _e487 = local[_e467];
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e489 = local[_e471];
-                    if _e478 {
+                    let _e491 = local[_e473];
+                    if _e480 {
                     } else {
                         break;
                     }
-                    let _e493 = local[_e477];
-                    phi_3739_ = false;
-                    phi_840_ = type_38(_e459, false);
-                    phi_843_ = type_45(type_28(vec4<f32>((f32(_e468) * _e141), (f32(_e474) * _e141), (f32(_e480) * _e141), 0f), vec4<f32>((f32(_e485) * _e141), (f32(_e489) * _e141), (f32(_e493) * _e141), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
-                    phi_845_ = ((3u * _e90) + 1u);
-                    phi_847_ = (_e461 <= _e459);
-                    phi_849_ = 0u;
+                    let _e495 = local[_e479];
+                    phi_4012_ = false;
+                    phi_846_ = type_38(_e461, false);
+                    phi_849_ = type_45(type_28(vec4<f32>((f32(_e470) * _e143), (f32(_e476) * _e143), (f32(_e482) * _e143), 0f), vec4<f32>((f32(_e487) * _e143), (f32(_e491) * _e143), (f32(_e495) * _e143), 0f)), select(0u, 2147483648u, (_e92 == 0u)));
+                    phi_851_ = ((3u * _e92) + 1u);
+                    phi_853_ = (_e463 <= _e461);
+                    phi_855_ = 0u;
                     loop {
-                        let _e503 = phi_3739_;
-                        let _e505 = phi_840_;
-                        let _e507 = phi_843_;
-                        let _e509 = phi_845_;
-                        let _e511 = phi_847_;
-                        let _e513 = phi_849_;
-                        local_11 = _e505;
-                        if _e511 {
-                            phi_860_ = true;
+                        let _e505 = phi_4012_;
+                        let _e507 = phi_846_;
+                        let _e509 = phi_849_;
+                        let _e511 = phi_851_;
+                        let _e513 = phi_853_;
+                        let _e515 = phi_855_;
+                        local_11 = _e507;
+                        if _e513 {
+                            phi_866_ = true;
                         } else {
-                            phi_860_ = (_e513 > 0u);
+                            phi_866_ = (_e515 > 0u);
                         }
-                        let _e516 = phi_860_;
-                        if _e516 {
-                            let _e517 = (_e509 > 0u);
-                            if _e517 {
-                                if _e511 {
-                                    phi_946_ = _e507;
-                                    phi_947_ = _e511;
-                                    phi_948_ = _e513;
+                        let _e518 = phi_866_;
+                        if _e518 {
+                            let _e519 = (_e511 > 0u);
+                            if _e519 {
+                                if _e513 {
+                                    phi_952_ = _e509;
+                                    phi_953_ = _e513;
+                                    phi_954_ = _e515;
                                 } else {
-                                    let _e518 = (_e513 - 1u);
-                                    let _e519 = (_e518 % 128u);
-                                    let _e520 = (_e519 < 128u);
-                                    if _e520 {
+                                    let _e520 = (_e515 - 1u);
+                                    let _e521 = (_e520 % 128u);
+                                    let _e522 = (_e521 < 128u);
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e522 = local_7[_e519];
-                                    if _e520 {
+                                    let _e524 = local_7[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e524 = local_6[_e519];
-                                    if _e520 {
+                                    let _e526 = local_6[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e526 = local_5[_e519];
-                                    if _e520 {
+                                    let _e528 = local_5[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e528 = local_4[_e519];
-                                    if _e520 {
+                                    let _e530 = local_4[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e530 = local_3[_e519];
-                                    if _e520 {
+                                    let _e532 = local_3[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e532 = local_2[_e519];
-                                    if _e520 {
+                                    let _e534 = local_2[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e537 = local_8[_e519];
-                                    if _e520 {
+                                    let _e539 = local_8[_e521];
+                                    if _e522 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e540 = local_9[_e519];
-                                    phi_946_ = type_45(type_28(vec4<f32>(_e522, _e524, _e526, 0f), vec4<f32>(_e528, _e530, _e532, 0f)), _e537);
-                                    phi_947_ = (_e540 <= _e505.member);
-                                    phi_948_ = _e518;
+                                    let _e542 = local_9[_e521];
+                                    phi_952_ = type_45(type_28(vec4<f32>(_e524, _e526, _e528, 0f), vec4<f32>(_e530, _e532, _e534, 0f)), _e539);
+                                    phi_953_ = (_e542 <= _e507.member);
+                                    phi_954_ = _e520;
                                 }
-                                let _e544 = phi_946_;
-                                let _e546 = phi_947_;
-                                let _e548 = phi_948_;
-                                if _e546 {
-                                    let _e553 = (_e544.member_1 & 268435455u);
-                                    if ((_e544.member_1 & 2147483648u) != 0u) {
-                                        phi_967_ = _e505;
-                                        phi_970_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e546 = phi_952_;
+                                let _e548 = phi_953_;
+                                let _e550 = phi_954_;
+                                if _e548 {
+                                    let _e555 = (_e546.member_1 & 268435455u);
+                                    if ((_e546.member_1 & 2147483648u) != 0u) {
+                                        phi_973_ = _e507;
+                                        phi_976_ = type_8(0u, ((_e546.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1013 = phi_967_;
-                                            let _e1015 = phi_970_;
-                                            local_10 = _e1013;
-                                            local_12 = _e1013;
-                                            if (_e1015.member < _e1015.member_1) {
-                                                phi_971_ = type_8((_e1015.member + 1u), _e1015.member_1);
-                                                phi_993_ = type_8(1u, _e1015.member);
+                                            let _e1015 = phi_973_;
+                                            let _e1017 = phi_976_;
+                                            local_10 = _e1015;
+                                            local_12 = _e1015;
+                                            if (_e1017.member < _e1017.member_1) {
+                                                phi_977_ = type_8((_e1017.member + 1u), _e1017.member_1);
+                                                phi_999_ = type_8(1u, _e1017.member);
                                             } else {
-                                                phi_971_ = _e1015;
-                                                phi_993_ = type_8(0u, type_8().member_1);
+                                                phi_977_ = _e1017;
+                                                phi_999_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1028 = phi_971_;
-                                            let _e1030 = phi_993_;
-                                            let _e1034 = (bitcast<i32>(_e1030.member) != 0i);
-                                            if _e1034 {
-                                                let _e1039 = (_e544.member.member_1.x - _e544.member.member.x);
-                                                let _e1042 = (_e544.member.member_1.y - _e544.member.member.y);
-                                                let _e1045 = (_e544.member.member_1.z - _e544.member.member.z);
-                                                let _e1047 = select(_e1042, _e1039, (_e1039 > _e1042));
-                                                let _e1049 = select(_e1045, _e1047, (_e1047 > _e1045));
-                                                let _e1051 = (_e1049 < (1024f * _e141));
-                                                if _e1051 {
-                                                    phi_1034_ = 0u;
+                                            let _e1030 = phi_977_;
+                                            let _e1032 = phi_999_;
+                                            let _e1036 = (bitcast<i32>(_e1032.member) != 0i);
+                                            if _e1036 {
+                                                let _e1041 = (_e546.member.member_1.x - _e546.member.member.x);
+                                                let _e1044 = (_e546.member.member_1.y - _e546.member.member.y);
+                                                let _e1047 = (_e546.member.member_1.z - _e546.member.member.z);
+                                                let _e1049 = select(_e1044, _e1041, (_e1041 > _e1044));
+                                                let _e1051 = select(_e1047, _e1049, (_e1049 > _e1047));
+                                                let _e1053 = (_e1051 < (1024f * _e143));
+                                                if _e1053 {
+                                                    phi_1040_ = 0u;
                                                 } else {
-                                                    phi_1034_ = select(2u, 1u, (_e1049 < (2097152f * _e141)));
+                                                    phi_1040_ = select(2u, 1u, (_e1051 < (2097152f * _e143)));
                                                 }
-                                                let _e1056 = phi_1034_;
-                                                switch bitcast<i32>(_e1056) {
+                                                let _e1058 = phi_1040_;
+                                                switch bitcast<i32>(_e1058) {
                                                     case 0: {
-                                                        phi_1040_ = 1u;
+                                                        phi_1046_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1040_ = 2u;
+                                                        phi_1046_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1040_ = 3u;
+                                                        phi_1046_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1040_ = u32();
+                                                        phi_1046_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1059 = phi_1040_;
-                                                switch bitcast<i32>(_e1056) {
+                                                let _e1061 = phi_1046_;
+                                                switch bitcast<i32>(_e1058) {
                                                     case 0: {
-                                                        phi_1050_ = 1u;
+                                                        phi_1056_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1050_ = 2u;
+                                                        phi_1056_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1050_ = 3u;
+                                                        phi_1056_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1050_ = u32();
+                                                        phi_1056_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1066 = phi_1050_;
-                                                let _e1068 = ((_e553 + (_e1030.member_1 * ((3u * _e1059) + 1u))) + (3u * _e1066));
-                                                let _e1069 = (_e1068 < _e93);
-                                                if _e1069 {
-                                                    if _e1069 {
+                                                let _e1068 = phi_1056_;
+                                                let _e1070 = ((_e555 + (_e1032.member_1 * ((3u * _e1061) + 1u))) + (3u * _e1068));
+                                                let _e1071 = (_e1070 < _e95);
+                                                if _e1071 {
+                                                    if _e1071 {
                                                     } else {
-                                                        phi_3733_ = true;
+                                                        phi_4006_ = true;
                                                         break;
                                                     }
-                                                    let _e1071 = global_6.member[_e1068];
-                                                    phi_1066_ = _e1071;
+                                                    let _e1073 = global_6.member[_e1070];
+                                                    phi_1072_ = _e1073;
                                                 } else {
-                                                    phi_1066_ = 4294967295u;
+                                                    phi_1072_ = 4294967295u;
                                                 }
-                                                let _e1073 = phi_1066_;
-                                                if _e1051 {
-                                                    phi_1099_ = 0u;
+                                                let _e1075 = phi_1072_;
+                                                if _e1053 {
+                                                    phi_1105_ = 0u;
                                                 } else {
-                                                    phi_1099_ = select(2u, 1u, (_e1049 < (2097152f * _e141)));
+                                                    phi_1105_ = select(2u, 1u, (_e1051 < (2097152f * _e143)));
                                                 }
-                                                let _e1078 = phi_1099_;
-                                                switch bitcast<i32>(_e1078) {
+                                                let _e1080 = phi_1105_;
+                                                switch bitcast<i32>(_e1080) {
                                                     case 0: {
-                                                        phi_1105_ = 1u;
+                                                        phi_1111_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1105_ = 2u;
+                                                        phi_1111_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1105_ = 3u;
+                                                        phi_1111_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1105_ = u32();
+                                                        phi_1111_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1081 = phi_1105_;
-                                                let _e1085 = (_e553 + (_e1030.member_1 * ((3u * _e1081) + 1u)));
-                                                switch bitcast<i32>(_e1078) {
+                                                let _e1083 = phi_1111_;
+                                                let _e1087 = (_e555 + (_e1032.member_1 * ((3u * _e1083) + 1u)));
+                                                switch bitcast<i32>(_e1080) {
                                                     case 0: {
-                                                        let _e1351 = (_e1085 < _e93);
-                                                        if _e1351 {
-                                                            if _e1351 {
+                                                        let _e1353 = (_e1087 < _e95);
+                                                        if _e1353 {
+                                                            if _e1353 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1353 = global_6.member[_e1085];
-                                                            phi_1129_ = _e1353;
+                                                            let _e1355 = global_6.member[_e1087];
+                                                            phi_1135_ = _e1355;
                                                         } else {
-                                                            phi_1129_ = 0u;
+                                                            phi_1135_ = 0u;
                                                         }
-                                                        let _e1355 = phi_1129_;
-                                                        let _e1357 = ((10u * _e261) & 31u);
-                                                        let _e1366 = ((10u * _e260) & 31u);
-                                                        let _e1375 = ((10u * _e262) & 31u);
-                                                        let _e1384 = (_e1085 + 1u);
-                                                        let _e1385 = (_e1384 < _e93);
-                                                        if _e1385 {
-                                                            if _e1385 {
+                                                        let _e1357 = phi_1135_;
+                                                        let _e1359 = ((10u * _e263) & 31u);
+                                                        let _e1368 = ((10u * _e262) & 31u);
+                                                        let _e1377 = ((10u * _e264) & 31u);
+                                                        let _e1386 = (_e1087 + 1u);
+                                                        let _e1387 = (_e1386 < _e95);
+                                                        if _e1387 {
+                                                            if _e1387 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1387 = global_6.member[_e1384];
-                                                            phi_1172_ = _e1387;
+                                                            let _e1389 = global_6.member[_e1386];
+                                                            phi_1178_ = _e1389;
                                                         } else {
-                                                            phi_1172_ = 0u;
+                                                            phi_1178_ = 0u;
                                                         }
-                                                        let _e1389 = phi_1172_;
-                                                        let _e1412 = (_e1085 + 2u);
-                                                        let _e1413 = (_e1412 < _e93);
-                                                        if _e1413 {
-                                                            if _e1413 {
+                                                        let _e1391 = phi_1178_;
+                                                        let _e1414 = (_e1087 + 2u);
+                                                        let _e1415 = (_e1414 < _e95);
+                                                        if _e1415 {
+                                                            if _e1415 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1415 = global_6.member[_e1412];
-                                                            phi_1215_ = _e1415;
+                                                            let _e1417 = global_6.member[_e1414];
+                                                            phi_1221_ = _e1417;
                                                         } else {
-                                                            phi_1215_ = 0u;
+                                                            phi_1221_ = 0u;
                                                         }
-                                                        let _e1417 = phi_1215_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1355 >> bitcast<u32>(_e1357)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1355 >> bitcast<u32>(_e1366)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1355 >> bitcast<u32>(_e1375)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1389 >> bitcast<u32>(_e1357)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1389 >> bitcast<u32>(_e1366)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1389 >> bitcast<u32>(_e1375)) & 1023u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1417 >> bitcast<u32>(_e1357)) & 1023u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1417 >> bitcast<u32>(_e1366)) & 1023u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1417 >> bitcast<u32>(_e1375)) & 1023u))) * _e141))));
+                                                        let _e1419 = phi_1221_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1357 >> bitcast<u32>(_e1359)) & 1023u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1357 >> bitcast<u32>(_e1368)) & 1023u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1357 >> bitcast<u32>(_e1377)) & 1023u))) * _e143))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1391 >> bitcast<u32>(_e1359)) & 1023u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1391 >> bitcast<u32>(_e1368)) & 1023u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1391 >> bitcast<u32>(_e1377)) & 1023u))) * _e143))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>(((_e1419 >> bitcast<u32>(_e1359)) & 1023u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>(((_e1419 >> bitcast<u32>(_e1368)) & 1023u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>(((_e1419 >> bitcast<u32>(_e1377)) & 1023u))) * _e143))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1174 = (_e1085 < _e93);
-                                                        if _e1174 {
-                                                            if _e1174 {
+                                                        let _e1176 = (_e1087 < _e95);
+                                                        if _e1176 {
+                                                            if _e1176 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1176 = global_6.member[_e1085];
-                                                            phi_1258_ = _e1176;
+                                                            let _e1178 = global_6.member[_e1087];
+                                                            phi_1264_ = _e1178;
                                                         } else {
-                                                            phi_1258_ = 0u;
+                                                            phi_1264_ = 0u;
                                                         }
-                                                        let _e1178 = phi_1258_;
-                                                        let _e1179 = (_e1085 + 1u);
-                                                        let _e1180 = (_e1179 < _e93);
-                                                        if _e1180 {
-                                                            if _e1180 {
+                                                        let _e1180 = phi_1264_;
+                                                        let _e1181 = (_e1087 + 1u);
+                                                        let _e1182 = (_e1181 < _e95);
+                                                        if _e1182 {
+                                                            if _e1182 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1182 = global_6.member[_e1179];
-                                                            phi_1273_ = _e1182;
+                                                            let _e1184 = global_6.member[_e1181];
+                                                            phi_1279_ = _e1184;
                                                         } else {
-                                                            phi_1273_ = 0u;
+                                                            phi_1279_ = 0u;
                                                         }
-                                                        let _e1184 = phi_1273_;
-                                                        let _e1185 = (_e261 == 1u);
-                                                        if _e1185 {
-                                                            phi_1283_ = ((_e1178 >> bitcast<u32>(21i)) | (_e1184 << bitcast<u32>(11i)));
+                                                        let _e1186 = phi_1279_;
+                                                        let _e1187 = (_e263 == 1u);
+                                                        if _e1187 {
+                                                            phi_1289_ = ((_e1180 >> bitcast<u32>(21i)) | (_e1186 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1283_ = (_e1184 >> bitcast<u32>(10i));
+                                                            phi_1289_ = (_e1186 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1194 = phi_1283_;
-                                                        let _e1201 = (_e260 == 1u);
-                                                        if _e1201 {
-                                                            phi_1303_ = ((_e1178 >> bitcast<u32>(21i)) | (_e1184 << bitcast<u32>(11i)));
+                                                        let _e1196 = phi_1289_;
+                                                        let _e1203 = (_e262 == 1u);
+                                                        if _e1203 {
+                                                            phi_1309_ = ((_e1180 >> bitcast<u32>(21i)) | (_e1186 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1303_ = (_e1184 >> bitcast<u32>(10i));
+                                                            phi_1309_ = (_e1186 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1210 = phi_1303_;
-                                                        let _e1217 = (_e262 == 1u);
-                                                        if _e1217 {
-                                                            phi_1323_ = ((_e1178 >> bitcast<u32>(21i)) | (_e1184 << bitcast<u32>(11i)));
+                                                        let _e1212 = phi_1309_;
+                                                        let _e1219 = (_e264 == 1u);
+                                                        if _e1219 {
+                                                            phi_1329_ = ((_e1180 >> bitcast<u32>(21i)) | (_e1186 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1323_ = (_e1184 >> bitcast<u32>(10i));
+                                                            phi_1329_ = (_e1186 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1226 = phi_1323_;
-                                                        let _e1234 = (_e1085 + 2u);
-                                                        let _e1235 = (_e1234 < _e93);
-                                                        if _e1235 {
-                                                            if _e1235 {
+                                                        let _e1228 = phi_1329_;
+                                                        let _e1236 = (_e1087 + 2u);
+                                                        let _e1237 = (_e1236 < _e95);
+                                                        if _e1237 {
+                                                            if _e1237 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1237 = global_6.member[_e1234];
-                                                            phi_1349_ = _e1237;
+                                                            let _e1239 = global_6.member[_e1236];
+                                                            phi_1355_ = _e1239;
                                                         } else {
-                                                            phi_1349_ = 0u;
+                                                            phi_1355_ = 0u;
                                                         }
-                                                        let _e1239 = phi_1349_;
-                                                        let _e1240 = (_e1085 + 3u);
-                                                        let _e1241 = (_e1240 < _e93);
-                                                        if _e1241 {
-                                                            if _e1241 {
+                                                        let _e1241 = phi_1355_;
+                                                        let _e1242 = (_e1087 + 3u);
+                                                        let _e1243 = (_e1242 < _e95);
+                                                        if _e1243 {
+                                                            if _e1243 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1243 = global_6.member[_e1240];
-                                                            phi_1364_ = _e1243;
+                                                            let _e1245 = global_6.member[_e1242];
+                                                            phi_1370_ = _e1245;
                                                         } else {
-                                                            phi_1364_ = 0u;
+                                                            phi_1370_ = 0u;
                                                         }
-                                                        let _e1245 = phi_1364_;
-                                                        if _e1185 {
-                                                            phi_1374_ = ((_e1239 >> bitcast<u32>(21i)) | (_e1245 << bitcast<u32>(11i)));
+                                                        let _e1247 = phi_1370_;
+                                                        if _e1187 {
+                                                            phi_1380_ = ((_e1241 >> bitcast<u32>(21i)) | (_e1247 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1374_ = (_e1245 >> bitcast<u32>(10i));
+                                                            phi_1380_ = (_e1247 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1254 = phi_1374_;
-                                                        if _e1201 {
-                                                            phi_1394_ = ((_e1239 >> bitcast<u32>(21i)) | (_e1245 << bitcast<u32>(11i)));
+                                                        let _e1256 = phi_1380_;
+                                                        if _e1203 {
+                                                            phi_1400_ = ((_e1241 >> bitcast<u32>(21i)) | (_e1247 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1394_ = (_e1245 >> bitcast<u32>(10i));
+                                                            phi_1400_ = (_e1247 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1269 = phi_1394_;
-                                                        if _e1217 {
-                                                            phi_1414_ = ((_e1239 >> bitcast<u32>(21i)) | (_e1245 << bitcast<u32>(11i)));
+                                                        let _e1271 = phi_1400_;
+                                                        if _e1219 {
+                                                            phi_1420_ = ((_e1241 >> bitcast<u32>(21i)) | (_e1247 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1414_ = (_e1245 >> bitcast<u32>(10i));
+                                                            phi_1420_ = (_e1247 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1284 = phi_1414_;
-                                                        let _e1292 = (_e1085 + 4u);
-                                                        let _e1293 = (_e1292 < _e93);
-                                                        if _e1293 {
-                                                            if _e1293 {
+                                                        let _e1286 = phi_1420_;
+                                                        let _e1294 = (_e1087 + 4u);
+                                                        let _e1295 = (_e1294 < _e95);
+                                                        if _e1295 {
+                                                            if _e1295 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1295 = global_6.member[_e1292];
-                                                            phi_1440_ = _e1295;
+                                                            let _e1297 = global_6.member[_e1294];
+                                                            phi_1446_ = _e1297;
                                                         } else {
-                                                            phi_1440_ = 0u;
+                                                            phi_1446_ = 0u;
                                                         }
-                                                        let _e1297 = phi_1440_;
-                                                        let _e1298 = (_e1085 + 5u);
-                                                        let _e1299 = (_e1298 < _e93);
-                                                        if _e1299 {
-                                                            if _e1299 {
+                                                        let _e1299 = phi_1446_;
+                                                        let _e1300 = (_e1087 + 5u);
+                                                        let _e1301 = (_e1300 < _e95);
+                                                        if _e1301 {
+                                                            if _e1301 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1301 = global_6.member[_e1298];
-                                                            phi_1455_ = _e1301;
+                                                            let _e1303 = global_6.member[_e1300];
+                                                            phi_1461_ = _e1303;
                                                         } else {
-                                                            phi_1455_ = 0u;
+                                                            phi_1461_ = 0u;
                                                         }
-                                                        let _e1303 = phi_1455_;
-                                                        if _e1185 {
-                                                            phi_1465_ = ((_e1297 >> bitcast<u32>(21i)) | (_e1303 << bitcast<u32>(11i)));
+                                                        let _e1305 = phi_1461_;
+                                                        if _e1187 {
+                                                            phi_1471_ = ((_e1299 >> bitcast<u32>(21i)) | (_e1305 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1465_ = (_e1303 >> bitcast<u32>(10i));
+                                                            phi_1471_ = (_e1305 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1312 = phi_1465_;
-                                                        if _e1201 {
-                                                            phi_1485_ = ((_e1297 >> bitcast<u32>(21i)) | (_e1303 << bitcast<u32>(11i)));
+                                                        let _e1314 = phi_1471_;
+                                                        if _e1203 {
+                                                            phi_1491_ = ((_e1299 >> bitcast<u32>(21i)) | (_e1305 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1485_ = (_e1303 >> bitcast<u32>(10i));
+                                                            phi_1491_ = (_e1305 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1327 = phi_1485_;
-                                                        if _e1217 {
-                                                            phi_1505_ = ((_e1297 >> bitcast<u32>(21i)) | (_e1303 << bitcast<u32>(11i)));
+                                                        let _e1329 = phi_1491_;
+                                                        if _e1219 {
+                                                            phi_1511_ = ((_e1299 >> bitcast<u32>(21i)) | (_e1305 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1505_ = (_e1303 >> bitcast<u32>(10i));
+                                                            phi_1511_ = (_e1305 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1342 = phi_1505_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1194, _e1178, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1210, _e1178, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1226, _e1178, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1254, _e1239, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1269, _e1239, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1284, _e1239, _e377) & 2097151u))) * _e141))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1312, _e1297, _e300) & 2097151u))) * _e141)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1327, _e1297, _e339) & 2097151u))) * _e141)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1342, _e1297, _e377) & 2097151u))) * _e141))));
+                                                        let _e1344 = phi_1511_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1196, _e1180, _e302) & 2097151u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1212, _e1180, _e341) & 2097151u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1228, _e1180, _e379) & 2097151u))) * _e143))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1256, _e1241, _e302) & 2097151u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1271, _e1241, _e341) & 2097151u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1286, _e1241, _e379) & 2097151u))) * _e143))), array<f32, 3>((_e546.member.member.x + (f32(bitcast<i32>((select(_e1314, _e1299, _e302) & 2097151u))) * _e143)), (_e546.member.member.y + (f32(bitcast<i32>((select(_e1329, _e1299, _e341) & 2097151u))) * _e143)), (_e546.member.member.z + (f32(bitcast<i32>((select(_e1344, _e1299, _e379) & 2097151u))) * _e143))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1087 = (_e1085 + _e261);
-                                                        let _e1088 = (_e1087 < _e93);
-                                                        if _e1088 {
-                                                            if _e1088 {
+                                                        let _e1089 = (_e1087 + _e263);
+                                                        let _e1090 = (_e1089 < _e95);
+                                                        if _e1090 {
+                                                            if _e1090 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1090 = global_6.member[_e1087];
-                                                            phi_1532_ = _e1090;
+                                                            let _e1092 = global_6.member[_e1089];
+                                                            phi_1538_ = _e1092;
                                                         } else {
-                                                            phi_1532_ = 0u;
+                                                            phi_1538_ = 0u;
                                                         }
-                                                        let _e1092 = phi_1532_;
-                                                        let _e1096 = (_e1085 + _e260);
-                                                        let _e1097 = (_e1096 < _e93);
-                                                        if _e1097 {
-                                                            if _e1097 {
+                                                        let _e1094 = phi_1538_;
+                                                        let _e1098 = (_e1087 + _e262);
+                                                        let _e1099 = (_e1098 < _e95);
+                                                        if _e1099 {
+                                                            if _e1099 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1099 = global_6.member[_e1096];
-                                                            phi_1550_ = _e1099;
+                                                            let _e1101 = global_6.member[_e1098];
+                                                            phi_1556_ = _e1101;
                                                         } else {
-                                                            phi_1550_ = 0u;
+                                                            phi_1556_ = 0u;
                                                         }
-                                                        let _e1101 = phi_1550_;
-                                                        let _e1105 = (_e1085 + _e262);
-                                                        let _e1106 = (_e1105 < _e93);
-                                                        if _e1106 {
-                                                            if _e1106 {
+                                                        let _e1103 = phi_1556_;
+                                                        let _e1107 = (_e1087 + _e264);
+                                                        let _e1108 = (_e1107 < _e95);
+                                                        if _e1108 {
+                                                            if _e1108 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1108 = global_6.member[_e1105];
-                                                            phi_1568_ = _e1108;
+                                                            let _e1110 = global_6.member[_e1107];
+                                                            phi_1574_ = _e1110;
                                                         } else {
-                                                            phi_1568_ = 0u;
+                                                            phi_1574_ = 0u;
                                                         }
-                                                        let _e1110 = phi_1568_;
-                                                        let _e1115 = (_e1085 + 3u);
-                                                        let _e1116 = (_e1115 + _e261);
-                                                        let _e1117 = (_e1116 < _e93);
-                                                        if _e1117 {
-                                                            if _e1117 {
+                                                        let _e1112 = phi_1574_;
+                                                        let _e1117 = (_e1087 + 3u);
+                                                        let _e1118 = (_e1117 + _e263);
+                                                        let _e1119 = (_e1118 < _e95);
+                                                        if _e1119 {
+                                                            if _e1119 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1119 = global_6.member[_e1116];
-                                                            phi_1588_ = _e1119;
+                                                            let _e1121 = global_6.member[_e1118];
+                                                            phi_1594_ = _e1121;
                                                         } else {
-                                                            phi_1588_ = 0u;
+                                                            phi_1594_ = 0u;
                                                         }
-                                                        let _e1121 = phi_1588_;
-                                                        let _e1125 = (_e1115 + _e260);
-                                                        let _e1126 = (_e1125 < _e93);
-                                                        if _e1126 {
-                                                            if _e1126 {
+                                                        let _e1123 = phi_1594_;
+                                                        let _e1127 = (_e1117 + _e262);
+                                                        let _e1128 = (_e1127 < _e95);
+                                                        if _e1128 {
+                                                            if _e1128 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1128 = global_6.member[_e1125];
-                                                            phi_1606_ = _e1128;
+                                                            let _e1130 = global_6.member[_e1127];
+                                                            phi_1612_ = _e1130;
                                                         } else {
-                                                            phi_1606_ = 0u;
+                                                            phi_1612_ = 0u;
                                                         }
-                                                        let _e1130 = phi_1606_;
-                                                        let _e1134 = (_e1115 + _e262);
-                                                        let _e1135 = (_e1134 < _e93);
-                                                        if _e1135 {
-                                                            if _e1135 {
+                                                        let _e1132 = phi_1612_;
+                                                        let _e1136 = (_e1117 + _e264);
+                                                        let _e1137 = (_e1136 < _e95);
+                                                        if _e1137 {
+                                                            if _e1137 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1137 = global_6.member[_e1134];
-                                                            phi_1624_ = _e1137;
+                                                            let _e1139 = global_6.member[_e1136];
+                                                            phi_1630_ = _e1139;
                                                         } else {
-                                                            phi_1624_ = 0u;
+                                                            phi_1630_ = 0u;
                                                         }
-                                                        let _e1139 = phi_1624_;
-                                                        let _e1144 = (_e1085 + 6u);
-                                                        let _e1145 = (_e1144 + _e261);
-                                                        let _e1146 = (_e1145 < _e93);
-                                                        if _e1146 {
-                                                            if _e1146 {
+                                                        let _e1141 = phi_1630_;
+                                                        let _e1146 = (_e1087 + 6u);
+                                                        let _e1147 = (_e1146 + _e263);
+                                                        let _e1148 = (_e1147 < _e95);
+                                                        if _e1148 {
+                                                            if _e1148 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1148 = global_6.member[_e1145];
-                                                            phi_1644_ = _e1148;
+                                                            let _e1150 = global_6.member[_e1147];
+                                                            phi_1650_ = _e1150;
                                                         } else {
-                                                            phi_1644_ = 0u;
+                                                            phi_1650_ = 0u;
                                                         }
-                                                        let _e1150 = phi_1644_;
-                                                        let _e1154 = (_e1144 + _e260);
-                                                        let _e1155 = (_e1154 < _e93);
-                                                        if _e1155 {
-                                                            if _e1155 {
+                                                        let _e1152 = phi_1650_;
+                                                        let _e1156 = (_e1146 + _e262);
+                                                        let _e1157 = (_e1156 < _e95);
+                                                        if _e1157 {
+                                                            if _e1157 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1157 = global_6.member[_e1154];
-                                                            phi_1662_ = _e1157;
+                                                            let _e1159 = global_6.member[_e1156];
+                                                            phi_1668_ = _e1159;
                                                         } else {
-                                                            phi_1662_ = 0u;
+                                                            phi_1668_ = 0u;
                                                         }
-                                                        let _e1159 = phi_1662_;
-                                                        let _e1163 = (_e1144 + _e262);
-                                                        let _e1164 = (_e1163 < _e93);
-                                                        if _e1164 {
-                                                            if _e1164 {
+                                                        let _e1161 = phi_1668_;
+                                                        let _e1165 = (_e1146 + _e264);
+                                                        let _e1166 = (_e1165 < _e95);
+                                                        if _e1166 {
+                                                            if _e1166 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1166 = global_6.member[_e1163];
-                                                            phi_1680_ = _e1166;
+                                                            let _e1168 = global_6.member[_e1165];
+                                                            phi_1686_ = _e1168;
                                                         } else {
-                                                            phi_1680_ = 0u;
+                                                            phi_1686_ = 0u;
                                                         }
-                                                        let _e1168 = phi_1680_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1092)) * _e141), (f32(bitcast<i32>(_e1101)) * _e141), (f32(bitcast<i32>(_e1110)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1121)) * _e141), (f32(bitcast<i32>(_e1130)) * _e141), (f32(bitcast<i32>(_e1139)) * _e141)), array<f32, 3>((f32(bitcast<i32>(_e1150)) * _e141), (f32(bitcast<i32>(_e1159)) * _e141), (f32(bitcast<i32>(_e1168)) * _e141)));
+                                                        let _e1170 = phi_1686_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1094)) * _e143), (f32(bitcast<i32>(_e1103)) * _e143), (f32(bitcast<i32>(_e1112)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1123)) * _e143), (f32(bitcast<i32>(_e1132)) * _e143), (f32(bitcast<i32>(_e1141)) * _e143)), array<f32, 3>((f32(bitcast<i32>(_e1152)) * _e143), (f32(bitcast<i32>(_e1161)) * _e143), (f32(bitcast<i32>(_e1170)) * _e143)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1686_ = array<array<f32, 3>, 3>();
+                                                        phi_1692_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1442 = phi_1686_;
-                                                let _e1450 = (_e1442[0][2] - _e387);
-                                                let _e1453 = (((_e1442[0][0] - _e310) * _e411) - (_e1450 * _e335));
-                                                let _e1456 = (((_e1442[0][1] - _e349) * _e411) - (_e1450 * _e373));
-                                                let _e1463 = (_e1442[1][2] - _e387);
-                                                let _e1466 = (((_e1442[1][0] - _e310) * _e411) - (_e1463 * _e335));
-                                                let _e1469 = (((_e1442[1][1] - _e349) * _e411) - (_e1463 * _e373));
-                                                let _e1476 = (_e1442[2][2] - _e387);
-                                                let _e1479 = (((_e1442[2][0] - _e310) * _e411) - (_e1476 * _e335));
-                                                let _e1482 = (((_e1442[2][1] - _e349) * _e411) - (_e1476 * _e373));
-                                                let _e1483 = (_e1479 * _e1469);
-                                                let _e1484 = (_e1482 * _e1466);
-                                                let _e1485 = (_e1453 * _e1482);
-                                                let _e1486 = (_e1456 * _e1479);
-                                                let _e1487 = (_e1466 * _e1456);
-                                                let _e1488 = (_e1469 * _e1453);
-                                                let _e1493 = (((_e1483 >= _e1484) && (_e1485 >= _e1486)) && (_e1487 >= _e1488));
-                                                if (_e1493 || (((_e1483 <= _e1484) && (_e1485 <= _e1486)) && (_e1487 <= _e1488))) {
-                                                    let _e1500 = select(-1f, 1f, _e1493);
-                                                    let _e1502 = ((_e1483 - _e1484) * _e1500);
-                                                    let _e1504 = select(0f, _e1502, (_e1502 > 0f));
-                                                    let _e1506 = ((_e1485 - _e1486) * _e1500);
-                                                    let _e1508 = select(0f, _e1506, (_e1506 > 0f));
-                                                    let _e1510 = ((_e1487 - _e1488) * _e1500);
-                                                    let _e1512 = select(0f, _e1510, (_e1510 > 0f));
-                                                    let _e1514 = ((_e1504 + _e1508) + _e1512);
-                                                    if (_e1514 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2252_ = type_24();
-                                                        phi_2253_ = true;
+                                                let _e1444 = phi_1692_;
+                                                let _e1452 = (_e1444[0][2] - _e389);
+                                                let _e1455 = (((_e1444[0][0] - _e312) * _e413) - (_e1452 * _e337));
+                                                let _e1458 = (((_e1444[0][1] - _e351) * _e413) - (_e1452 * _e375));
+                                                let _e1465 = (_e1444[1][2] - _e389);
+                                                let _e1468 = (((_e1444[1][0] - _e312) * _e413) - (_e1465 * _e337));
+                                                let _e1471 = (((_e1444[1][1] - _e351) * _e413) - (_e1465 * _e375));
+                                                let _e1478 = (_e1444[2][2] - _e389);
+                                                let _e1481 = (((_e1444[2][0] - _e312) * _e413) - (_e1478 * _e337));
+                                                let _e1484 = (((_e1444[2][1] - _e351) * _e413) - (_e1478 * _e375));
+                                                let _e1485 = (_e1481 * _e1471);
+                                                let _e1486 = (_e1484 * _e1468);
+                                                let _e1487 = (_e1455 * _e1484);
+                                                let _e1488 = (_e1458 * _e1481);
+                                                let _e1489 = (_e1468 * _e1458);
+                                                let _e1490 = (_e1471 * _e1455);
+                                                let _e1495 = (((_e1485 >= _e1486) && (_e1487 >= _e1488)) && (_e1489 >= _e1490));
+                                                if (_e1495 || (((_e1485 <= _e1486) && (_e1487 <= _e1488)) && (_e1489 <= _e1490))) {
+                                                    let _e1502 = select(-1f, 1f, _e1495);
+                                                    let _e1504 = ((_e1485 - _e1486) * _e1502);
+                                                    let _e1506 = select(0f, _e1504, (_e1504 > 0f));
+                                                    let _e1508 = ((_e1487 - _e1488) * _e1502);
+                                                    let _e1510 = select(0f, _e1508, (_e1508 > 0f));
+                                                    let _e1512 = ((_e1489 - _e1490) * _e1502);
+                                                    let _e1514 = select(0f, _e1512, (_e1512 > 0f));
+                                                    let _e1516 = ((_e1506 + _e1510) + _e1514);
+                                                    if (_e1516 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2520_ = type_24();
+                                                        phi_2521_ = true;
+                                                        phi_2522_ = false;
                                                     } else {
-                                                        let _e1517 = select(_e1442[1][0], _e1442[0][0], (_e1442[0][0] < _e1442[1][0]));
-                                                        let _e1521 = select(_e1442[1][0], _e1442[0][0], (_e1442[0][0] > _e1442[1][0]));
-                                                        let _e1525 = select(_e1442[1][1], _e1442[0][1], (_e1442[0][1] < _e1442[1][1]));
-                                                        let _e1529 = select(_e1442[1][1], _e1442[0][1], (_e1442[0][1] > _e1442[1][1]));
-                                                        let _e1533 = select(_e1442[1][2], _e1442[0][2], (_e1442[0][2] < _e1442[1][2]));
-                                                        let _e1537 = select(_e1442[1][2], _e1442[0][2], (_e1442[0][2] > _e1442[1][2]));
-                                                        let _e1542 = ((select(_e1442[2][0], _e1517, (_e1517 < _e1442[2][0])) - _e333) * _e338);
-                                                        let _e1543 = ((select(_e1442[2][0], _e1521, (_e1521 > _e1442[2][0])) - _e334) * _e338);
-                                                        let _e1546 = ((select(_e1442[2][1], _e1525, (_e1525 < _e1442[2][1])) - _e371) * _e376);
-                                                        let _e1547 = ((select(_e1442[2][1], _e1529, (_e1529 > _e1442[2][1])) - _e372) * _e376);
-                                                        let _e1550 = ((select(_e1442[2][2], _e1533, (_e1533 < _e1442[2][2])) - _e409) * _e414);
-                                                        let _e1551 = ((select(_e1442[2][2], _e1537, (_e1537 > _e1442[2][2])) - _e410) * _e414);
-                                                        let _e1553 = select(_e1551, _e1550, (_e1550 < _e1551));
-                                                        let _e1555 = select(_e1551, _e1550, (_e1550 > _e1551));
-                                                        let _e1557 = select(_e1543, _e1542, (_e1542 < _e1543));
-                                                        let _e1559 = select(_e1547, _e1546, (_e1546 < _e1547));
-                                                        let _e1561 = select(_e1559, _e1557, (_e1557 > _e1559));
-                                                        let _e1563 = select(_e1553, _e1561, (_e1561 > _e1553));
-                                                        let _e1565 = select(_e1543, _e1542, (_e1542 > _e1543));
-                                                        let _e1567 = select(_e1547, _e1546, (_e1546 > _e1547));
-                                                        let _e1569 = select(_e1567, _e1565, (_e1565 < _e1567));
-                                                        let _e1571 = select(_e1555, _e1569, (_e1569 < _e1555));
-                                                        let _e1572 = -(_e1553);
-                                                        let _e1578 = select(_e461, _e1563, (_e1563 > _e461));
-                                                        if (_e1578 > (_e1571 + (select(_e1572, _e1555, (_e1555 > _e1572)) * 0.0000019073523f))) {
-                                                            phi_2247_ = type_24();
-                                                            phi_2248_ = true;
+                                                        let _e1519 = select(_e1468, _e1455, (_e1455 < _e1468));
+                                                        if (select(_e1481, _e1519, (_e1519 < _e1481)) > 0f) {
+                                                            phi_1809_ = true;
                                                         } else {
-                                                            let _e1580 = (_e1578 > _e1013.member);
-                                                            if _e1580 {
-                                                                phi_2246_ = type_24();
+                                                            let _e1524 = select(_e1468, _e1455, (_e1455 > _e1468));
+                                                            phi_1809_ = (select(_e1481, _e1524, (_e1524 > _e1481)) < 0f);
+                                                        }
+                                                        let _e1529 = phi_1809_;
+                                                        if _e1529 {
+                                                            phi_2517_ = type_24();
+                                                            phi_2518_ = true;
+                                                            phi_2519_ = false;
+                                                        } else {
+                                                            let _e1531 = select(_e1471, _e1458, (_e1458 < _e1471));
+                                                            if (select(_e1484, _e1531, (_e1531 < _e1484)) > 0f) {
+                                                                phi_1838_ = true;
                                                             } else {
-                                                                let _e1584 = (_e1442[1][0] - _e1442[0][0]);
-                                                                let _e1585 = (_e1442[1][1] - _e1442[0][1]);
-                                                                let _e1586 = (_e1442[1][2] - _e1442[0][2]);
-                                                                let _e1587 = vec3<f32>(_e1584, _e1585, _e1586);
-                                                                let _e1588 = (_e1442[2][0] - _e1442[1][0]);
-                                                                let _e1589 = (_e1442[2][1] - _e1442[1][1]);
-                                                                let _e1590 = (_e1442[2][2] - _e1442[1][2]);
-                                                                let _e1591 = vec3<f32>(_e1588, _e1589, _e1590);
-                                                                let _e1592 = (_e1442[0][0] - _e1442[2][0]);
-                                                                let _e1593 = (_e1442[0][1] - _e1442[2][1]);
-                                                                let _e1594 = (_e1442[0][2] - _e1442[2][2]);
-                                                                let _e1595 = vec3<f32>(_e1592, _e1593, _e1594);
-                                                                let _e1598 = bitcast<f32>((bitcast<u32>(_e1584) & 2147483647u));
-                                                                let _e1601 = bitcast<f32>((bitcast<u32>(_e1585) & 2147483647u));
-                                                                let _e1603 = select(_e1601, _e1598, (_e1598 > _e1601));
-                                                                let _e1606 = bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u));
-                                                                let _e1608 = select(_e1606, _e1603, (_e1603 > _e1606));
-                                                                let _e1611 = bitcast<f32>((bitcast<u32>(_e1588) & 2147483647u));
-                                                                let _e1614 = bitcast<f32>((bitcast<u32>(_e1589) & 2147483647u));
-                                                                let _e1616 = select(_e1614, _e1611, (_e1611 > _e1614));
-                                                                let _e1619 = bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u));
-                                                                let _e1621 = select(_e1619, _e1616, (_e1616 > _e1619));
-                                                                let _e1624 = bitcast<f32>((bitcast<u32>(_e1592) & 2147483647u));
-                                                                let _e1627 = bitcast<f32>((bitcast<u32>(_e1593) & 2147483647u));
-                                                                let _e1629 = select(_e1627, _e1624, (_e1624 > _e1627));
-                                                                let _e1632 = bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u));
-                                                                let _e1634 = select(_e1632, _e1629, (_e1629 > _e1632));
-                                                                let _e1636 = select(_e1621, _e1608, (_e1608 > _e1621));
-                                                                let _e1638 = select(_e1634, _e1636, (_e1636 > _e1634));
-                                                                if (_e1608 == _e1638) {
-                                                                    phi_2157_ = _e1591;
-                                                                    phi_2158_ = _e1595;
+                                                                let _e1536 = select(_e1471, _e1458, (_e1458 > _e1471));
+                                                                phi_1838_ = (select(_e1484, _e1536, (_e1536 > _e1484)) < 0f);
+                                                            }
+                                                            let _e1541 = phi_1838_;
+                                                            if _e1541 {
+                                                                phi_2515_ = type_24();
+                                                                phi_2516_ = false;
+                                                            } else {
+                                                                let _e1543 = select(_e1444[1][0], _e1444[0][0], (_e1444[0][0] < _e1444[1][0]));
+                                                                let _e1547 = select(_e1444[1][0], _e1444[0][0], (_e1444[0][0] > _e1444[1][0]));
+                                                                let _e1551 = select(_e1444[1][1], _e1444[0][1], (_e1444[0][1] < _e1444[1][1]));
+                                                                let _e1555 = select(_e1444[1][1], _e1444[0][1], (_e1444[0][1] > _e1444[1][1]));
+                                                                let _e1559 = select(_e1444[1][2], _e1444[0][2], (_e1444[0][2] < _e1444[1][2]));
+                                                                let _e1563 = select(_e1444[1][2], _e1444[0][2], (_e1444[0][2] > _e1444[1][2]));
+                                                                let _e1568 = ((select(_e1444[2][0], _e1543, (_e1543 < _e1444[2][0])) - _e335) * _e340);
+                                                                let _e1569 = ((select(_e1444[2][0], _e1547, (_e1547 > _e1444[2][0])) - _e336) * _e340);
+                                                                let _e1572 = ((select(_e1444[2][1], _e1551, (_e1551 < _e1444[2][1])) - _e373) * _e378);
+                                                                let _e1573 = ((select(_e1444[2][1], _e1555, (_e1555 > _e1444[2][1])) - _e374) * _e378);
+                                                                let _e1576 = ((select(_e1444[2][2], _e1559, (_e1559 < _e1444[2][2])) - _e411) * _e416);
+                                                                let _e1577 = ((select(_e1444[2][2], _e1563, (_e1563 > _e1444[2][2])) - _e412) * _e416);
+                                                                let _e1579 = select(_e1577, _e1576, (_e1576 < _e1577));
+                                                                let _e1581 = select(_e1577, _e1576, (_e1576 > _e1577));
+                                                                let _e1583 = select(_e1569, _e1568, (_e1568 < _e1569));
+                                                                let _e1585 = select(_e1573, _e1572, (_e1572 < _e1573));
+                                                                let _e1587 = select(_e1585, _e1583, (_e1583 > _e1585));
+                                                                let _e1589 = select(_e1579, _e1587, (_e1587 > _e1579));
+                                                                let _e1591 = select(_e1569, _e1568, (_e1568 > _e1569));
+                                                                let _e1593 = select(_e1573, _e1572, (_e1572 > _e1573));
+                                                                let _e1595 = select(_e1593, _e1591, (_e1591 < _e1593));
+                                                                let _e1597 = select(_e1581, _e1595, (_e1595 < _e1581));
+                                                                let _e1598 = -(_e1579);
+                                                                let _e1604 = select(_e463, _e1589, (_e1589 > _e463));
+                                                                if (_e1604 > (_e1597 + (select(_e1598, _e1581, (_e1581 > _e1598)) * 0.0000019073523f))) {
+                                                                    phi_2510_ = type_24();
+                                                                    phi_2511_ = true;
                                                                 } else {
-                                                                    let _e1641 = vec3((_e1621 == _e1638));
-                                                                    phi_2157_ = select(_e1587, _e1595, _e1641);
-                                                                    phi_2158_ = select(_e1591, _e1587, _e1641);
-                                                                }
-                                                                let _e1645 = phi_2157_;
-                                                                let _e1647 = phi_2158_;
-                                                                let _e1654 = ((_e1645.y * _e1647.z) - (_e1647.y * _e1645.z));
-                                                                let _e1659 = ((_e1645.z * _e1647.x) - (_e1647.z * _e1645.x));
-                                                                let _e1662 = ((_e1645.x * _e1647.y) - (_e1647.x * _e1645.y));
-                                                                if (_e1504 >= _e1508) {
-                                                                    phi_2189_ = select(true, false, (_e1504 >= _e1512));
-                                                                } else {
-                                                                    phi_2189_ = true;
-                                                                }
-                                                                let _e1667 = phi_2189_;
-                                                                if _e1667 {
-                                                                    phi_2198_ = select(vec3<f32>(_e1442[2][0], _e1442[2][1], _e1442[2][2]), vec3<f32>(_e1442[1][0], _e1442[1][1], _e1442[1][2]), vec3((_e1508 >= _e1512)));
-                                                                } else {
-                                                                    phi_2198_ = vec3<f32>(_e1442[0][0], _e1442[0][1], _e1442[0][2]);
-                                                                }
-                                                                let _e1672 = phi_2198_;
-                                                                let _e1689 = ((((_e1654 * (_e1672.x - _e310)) + (_e1659 * (_e1672.y - _e349))) + (_e1662 * (_e1672.z - _e387))) / (((_e1654 * _e335) + (_e1659 * _e373)) + (_e1662 * _e411)));
-                                                                let _e1691 = select(_e1571, _e1689, (_e1689 < _e1571));
-                                                                let _e1693 = select(_e1563, _e1691, (_e1691 > _e1563));
-                                                                if (_e1693 >= _e461) {
-                                                                    let _e1695 = (_e1693 <= _e1013.member);
-                                                                    if _e1695 {
-                                                                        let _e1696 = (1f / _e1514);
-                                                                        phi_2238_ = type_24(_e1693, (_e1508 * _e1696), (_e1512 * _e1696), _e1073);
+                                                                    let _e1606 = (_e1604 > _e1015.member);
+                                                                    if _e1606 {
+                                                                        phi_2509_ = type_24();
                                                                     } else {
-                                                                        phi_2238_ = type_24();
+                                                                        let _e1607 = vec3<f32>(_e1444[0][0], _e1444[0][1], _e1444[0][2]);
+                                                                        let _e1608 = vec3<f32>(_e1444[1][0], _e1444[1][1], _e1444[1][2]);
+                                                                        let _e1609 = vec3<f32>(_e1444[2][0], _e1444[2][1], _e1444[2][2]);
+                                                                        let _e1610 = (_e1444[1][0] - _e1444[0][0]);
+                                                                        let _e1611 = (_e1444[1][1] - _e1444[0][1]);
+                                                                        let _e1612 = (_e1444[1][2] - _e1444[0][2]);
+                                                                        let _e1613 = vec3<f32>(_e1610, _e1611, _e1612);
+                                                                        let _e1614 = (_e1444[2][0] - _e1444[1][0]);
+                                                                        let _e1615 = (_e1444[2][1] - _e1444[1][1]);
+                                                                        let _e1616 = (_e1444[2][2] - _e1444[1][2]);
+                                                                        let _e1617 = vec3<f32>(_e1614, _e1615, _e1616);
+                                                                        let _e1618 = (_e1444[0][0] - _e1444[2][0]);
+                                                                        let _e1619 = (_e1444[0][1] - _e1444[2][1]);
+                                                                        let _e1620 = (_e1444[0][2] - _e1444[2][2]);
+                                                                        let _e1621 = vec3<f32>(_e1618, _e1619, _e1620);
+                                                                        let _e1624 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
+                                                                        let _e1627 = bitcast<f32>((bitcast<u32>(_e1611) & 2147483647u));
+                                                                        let _e1629 = select(_e1627, _e1624, (_e1624 > _e1627));
+                                                                        let _e1632 = bitcast<f32>((bitcast<u32>(_e1612) & 2147483647u));
+                                                                        let _e1634 = select(_e1632, _e1629, (_e1629 > _e1632));
+                                                                        let _e1637 = bitcast<f32>((bitcast<u32>(_e1614) & 2147483647u));
+                                                                        let _e1640 = bitcast<f32>((bitcast<u32>(_e1615) & 2147483647u));
+                                                                        let _e1642 = select(_e1640, _e1637, (_e1637 > _e1640));
+                                                                        let _e1645 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
+                                                                        let _e1647 = select(_e1645, _e1642, (_e1642 > _e1645));
+                                                                        let _e1650 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
+                                                                        let _e1653 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
+                                                                        let _e1655 = select(_e1653, _e1650, (_e1650 > _e1653));
+                                                                        let _e1658 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
+                                                                        let _e1660 = select(_e1658, _e1655, (_e1655 > _e1658));
+                                                                        let _e1662 = select(_e1647, _e1634, (_e1634 > _e1647));
+                                                                        let _e1664 = select(_e1660, _e1662, (_e1662 > _e1660));
+                                                                        if (_e1634 == _e1664) {
+                                                                            phi_2239_ = _e1471;
+                                                                            phi_2240_ = _e1468;
+                                                                            phi_2241_ = _e1458;
+                                                                            phi_2242_ = _e1455;
+                                                                            phi_2243_ = _e1607;
+                                                                            phi_2244_ = _e1621;
+                                                                            phi_2245_ = _e1617;
+                                                                            phi_2246_ = _e1613;
+                                                                        } else {
+                                                                            let _e1666 = (_e1647 == _e1664);
+                                                                            let _e1671 = vec3(_e1666);
+                                                                            phi_2239_ = select(_e1458, _e1484, _e1666);
+                                                                            phi_2240_ = select(_e1455, _e1481, _e1666);
+                                                                            phi_2241_ = select(_e1484, _e1471, _e1666);
+                                                                            phi_2242_ = select(_e1481, _e1468, _e1666);
+                                                                            phi_2243_ = select(_e1609, _e1608, _e1671);
+                                                                            phi_2244_ = select(_e1617, _e1613, _e1671);
+                                                                            phi_2245_ = select(_e1613, _e1621, _e1671);
+                                                                            phi_2246_ = select(_e1621, _e1617, _e1671);
+                                                                        }
+                                                                        let _e1677 = phi_2239_;
+                                                                        let _e1679 = phi_2240_;
+                                                                        let _e1681 = phi_2241_;
+                                                                        let _e1683 = phi_2242_;
+                                                                        let _e1685 = phi_2243_;
+                                                                        let _e1687 = phi_2244_;
+                                                                        let _e1689 = phi_2245_;
+                                                                        let _e1691 = phi_2246_;
+                                                                        let _e1698 = ((_e1689.y * _e1687.z) - (_e1687.y * _e1689.z));
+                                                                        let _e1703 = ((_e1689.z * _e1687.x) - (_e1687.z * _e1689.x));
+                                                                        let _e1706 = ((_e1689.x * _e1687.y) - (_e1687.x * _e1689.y));
+                                                                        if (_e1506 >= _e1510) {
+                                                                            phi_2277_ = select(true, false, (_e1506 >= _e1514));
+                                                                        } else {
+                                                                            phi_2277_ = true;
+                                                                        }
+                                                                        let _e1711 = phi_2277_;
+                                                                        if _e1711 {
+                                                                            phi_2286_ = select(_e1609, _e1608, vec3((_e1510 >= _e1514)));
+                                                                        } else {
+                                                                            phi_2286_ = _e1607;
+                                                                        }
+                                                                        let _e1716 = phi_2286_;
+                                                                        let _e1721 = (((_e1698 * _e337) + (_e1703 * _e375)) + (_e1706 * _e413));
+                                                                        let _e1732 = (((_e1698 * (_e1716.x - _e312)) + (_e1703 * (_e1716.y - _e351))) + (_e1706 * (_e1716.z - _e389)));
+                                                                        let _e1734 = (_e1679 - _e1683);
+                                                                        let _e1735 = (_e1677 - _e1681);
+                                                                        let _e1743 = (-(((_e1683 * _e1734) + (_e1681 * _e1735))) / ((_e1734 * _e1734) + (_e1735 * _e1735)));
+                                                                        let _e1745 = select(1f, _e1743, (_e1743 < 1f));
+                                                                        let _e1747 = select(0f, _e1745, (_e1745 > 0f));
+                                                                        let _e1760 = ((_e1685.x + (_e1691.x * _e1747)) - _e312);
+                                                                        let _e1761 = ((_e1685.y + (_e1691.y * _e1747)) - _e351);
+                                                                        let _e1762 = ((_e1685.z + (_e1691.z * _e1747)) - _e389);
+                                                                        let _e1763 = (_e1762 / _e413);
+                                                                        let _e1775 = bitcast<f32>((bitcast<u32>(_e1760) & 2147483647u));
+                                                                        let _e1778 = bitcast<f32>((bitcast<u32>(_e1761) & 2147483647u));
+                                                                        let _e1780 = select(_e1778, _e1775, (_e1775 > _e1778));
+                                                                        let _e1783 = bitcast<f32>((bitcast<u32>(_e1762) & 2147483647u));
+                                                                        let _e1785 = select(_e1783, _e1780, (_e1780 > _e1783));
+                                                                        let _e1791 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
+                                                                        let _e1794 = bitcast<f32>((bitcast<u32>(_e1703) & 2147483647u));
+                                                                        let _e1796 = select(_e1794, _e1791, (_e1791 > _e1794));
+                                                                        let _e1799 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1698 * _e1760) + (_e1703 * _e1761)) + (_e1706 * _e1762)) - _e1732)) & 2147483647u)) <= ((0.0000009536743f * select(_e1664, _e1785, (_e1785 > _e1664))) * select(_e1799, _e1796, (_e1796 > _e1799)))) {
+                                                                            let _e1809 = bitcast<f32>((bitcast<u32>(_e1689.x) & 2147483647u));
+                                                                            let _e1812 = bitcast<f32>((bitcast<u32>(_e1689.y) & 2147483647u));
+                                                                            let _e1814 = select(_e1812, _e1809, (_e1809 > _e1812));
+                                                                            let _e1817 = bitcast<f32>((bitcast<u32>(_e1689.z) & 2147483647u));
+                                                                            let _e1823 = bitcast<f32>((bitcast<u32>(_e1687.x) & 2147483647u));
+                                                                            let _e1826 = bitcast<f32>((bitcast<u32>(_e1687.y) & 2147483647u));
+                                                                            let _e1828 = select(_e1826, _e1823, (_e1823 > _e1826));
+                                                                            let _e1831 = bitcast<f32>((bitcast<u32>(_e1687.z) & 2147483647u));
+                                                                            phi_2453_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u)) > ((0.0000038146973f * select(_e1817, _e1814, (_e1814 > _e1817))) * select(_e1831, _e1828, (_e1828 > _e1831)))));
+                                                                        } else {
+                                                                            phi_2453_ = true;
+                                                                        }
+                                                                        let _e1838 = phi_2453_;
+                                                                        if _e1838 {
+                                                                            let _e1849 = ((((_e1698 * (_e1760 - (_e337 * _e1763))) + (_e1703 * (_e1761 - (_e375 * _e1763)))) + (_e1706 * (_e1762 - _e1762))) / _e1721);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1849) & 2147483647u)) <= _e1664) {
+                                                                                phi_2477_ = (_e1763 + _e1849);
+                                                                            } else {
+                                                                                phi_2477_ = _e1763;
+                                                                            }
+                                                                            let _e1856 = phi_2477_;
+                                                                            phi_2478_ = _e1856;
+                                                                        } else {
+                                                                            phi_2478_ = (_e1732 / _e1721);
+                                                                        }
+                                                                        let _e1858 = phi_2478_;
+                                                                        let _e1860 = select(_e1597, _e1858, (_e1858 < _e1597));
+                                                                        let _e1862 = select(_e1589, _e1860, (_e1860 > _e1589));
+                                                                        if (_e1862 >= _e463) {
+                                                                            let _e1864 = (_e1862 <= _e1015.member);
+                                                                            if _e1864 {
+                                                                                let _e1865 = (1f / _e1516);
+                                                                                phi_2501_ = type_24(_e1862, (_e1510 * _e1865), (_e1514 * _e1865), _e1075);
+                                                                            } else {
+                                                                                phi_2501_ = type_24();
+                                                                            }
+                                                                            let _e1870 = phi_2501_;
+                                                                            phi_2503_ = _e1870;
+                                                                            phi_2504_ = select(true, false, _e1864);
+                                                                        } else {
+                                                                            phi_2503_ = type_24();
+                                                                            phi_2504_ = true;
+                                                                        }
+                                                                        let _e1873 = phi_2503_;
+                                                                        let _e1875 = phi_2504_;
+                                                                        if _e1875 {
+                                                                            phi_2508_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2508_ = _e1873;
+                                                                        }
+                                                                        let _e1877 = phi_2508_;
+                                                                        phi_2509_ = _e1877;
                                                                     }
-                                                                    let _e1701 = phi_2238_;
-                                                                    phi_2240_ = _e1701;
-                                                                    phi_2241_ = select(true, false, _e1695);
-                                                                } else {
-                                                                    phi_2240_ = type_24();
-                                                                    phi_2241_ = true;
+                                                                    let _e1879 = phi_2509_;
+                                                                    phi_2510_ = _e1879;
+                                                                    phi_2511_ = _e1606;
                                                                 }
-                                                                let _e1704 = phi_2240_;
-                                                                let _e1706 = phi_2241_;
-                                                                if _e1706 {
-                                                                    phi_2245_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_2245_ = _e1704;
-                                                                }
-                                                                let _e1708 = phi_2245_;
-                                                                phi_2246_ = _e1708;
+                                                                let _e1881 = phi_2510_;
+                                                                let _e1883 = phi_2511_;
+                                                                phi_2515_ = _e1881;
+                                                                phi_2516_ = _e1883;
                                                             }
-                                                            let _e1710 = phi_2246_;
-                                                            phi_2247_ = _e1710;
-                                                            phi_2248_ = _e1580;
+                                                            let _e1885 = phi_2515_;
+                                                            let _e1887 = phi_2516_;
+                                                            phi_2517_ = _e1885;
+                                                            phi_2518_ = _e1541;
+                                                            phi_2519_ = _e1887;
                                                         }
-                                                        let _e1712 = phi_2247_;
-                                                        let _e1714 = phi_2248_;
-                                                        phi_2252_ = _e1712;
-                                                        phi_2253_ = _e1714;
+                                                        let _e1889 = phi_2517_;
+                                                        let _e1891 = phi_2518_;
+                                                        let _e1893 = phi_2519_;
+                                                        phi_2520_ = _e1889;
+                                                        phi_2521_ = _e1891;
+                                                        phi_2522_ = _e1893;
                                                     }
-                                                    let _e1716 = phi_2252_;
-                                                    let _e1718 = phi_2253_;
-                                                    phi_2257_ = _e1716;
-                                                    phi_2258_ = _e1718;
+                                                    let _e1895 = phi_2520_;
+                                                    let _e1897 = phi_2521_;
+                                                    let _e1899 = phi_2522_;
+                                                    phi_2530_ = _e1895;
+                                                    phi_2531_ = select(_e1899, true, _e1897);
                                                 } else {
-                                                    phi_2257_ = type_24();
-                                                    phi_2258_ = true;
+                                                    phi_2530_ = type_24();
+                                                    phi_2531_ = true;
                                                 }
-                                                let _e1720 = phi_2257_;
-                                                let _e1722 = phi_2258_;
-                                                if _e1722 {
-                                                    phi_2262_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1902 = phi_2530_;
+                                                let _e1904 = phi_2531_;
+                                                if _e1904 {
+                                                    phi_2535_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2262_ = _e1720;
+                                                    phi_2535_ = _e1902;
                                                 }
-                                                let _e1724 = phi_2262_;
-                                                if (_e1724.member_3 != 4294967295u) {
-                                                    if (_e1073 != 4294967295u) {
-                                                        phi_2273_ = type_38(_e1013.member, true);
+                                                let _e1906 = phi_2535_;
+                                                if (_e1906.member_3 != 4294967295u) {
+                                                    if (_e1075 != 4294967295u) {
+                                                        phi_2546_ = type_38(_e1015.member, true);
                                                     } else {
-                                                        phi_2273_ = _e1013;
+                                                        phi_2546_ = _e1015;
                                                     }
-                                                    let _e1732 = phi_2273_;
-                                                    phi_2274_ = _e1732;
+                                                    let _e1914 = phi_2546_;
+                                                    phi_2547_ = _e1914;
                                                 } else {
-                                                    phi_2274_ = _e1013;
+                                                    phi_2547_ = _e1015;
                                                 }
-                                                let _e1734 = phi_2274_;
-                                                phi_968_ = _e1734;
+                                                let _e1916 = phi_2547_;
+                                                phi_974_ = _e1916;
                                             } else {
-                                                phi_968_ = type_38();
+                                                phi_974_ = type_38();
                                             }
-                                            let _e1736 = phi_968_;
+                                            let _e1918 = phi_974_;
                                             continue;
                                             continuing {
-                                                phi_967_ = _e1736;
-                                                phi_970_ = _e1028;
-                                                phi_3733_ = _e503;
-                                                break if !(_e1034);
+                                                phi_973_ = _e1918;
+                                                phi_976_ = _e1030;
+                                                phi_4006_ = _e505;
+                                                break if !(_e1036);
                                             }
                                         }
-                                        let _e1739 = phi_3733_;
-                                        phi_3891_ = _e1739;
-                                        if _e1739 {
+                                        let _e1921 = phi_4006_;
+                                        phi_4192_ = _e1921;
+                                        if _e1921 {
                                             break;
                                         }
-                                        let _e1741 = local_10;
-                                        phi_3895_ = _e1739;
-                                        let _e1922 = local_12;
-                                        phi_3515_ = _e1922;
-                                        phi_3516_ = _e544;
-                                        phi_3517_ = false;
-                                        phi_3518_ = select(_e548, 0u, _e1741.member_1);
+                                        let _e1923 = local_10;
+                                        phi_4196_ = _e1921;
+                                        let _e2121 = local_12;
+                                        phi_3788_ = _e2121;
+                                        phi_3789_ = _e546;
+                                        phi_3790_ = false;
+                                        phi_3791_ = select(_e550, 0u, _e1923.member_1);
                                     } else {
-                                        if (_e544.member_1 >= _e90) {
-                                            phi_3071_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e546.member_1 >= _e92) {
+                                            phi_3344_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e544.member_1 < _e90) {
+                                            if (_e546.member_1 < _e92) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e561 = ((1u + _e261) % 4u);
-                                            if (_e561 < 4u) {
+                                            let _e563 = ((1u + _e263) % 4u);
+                                            if (_e563 < 4u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_3.member[_e544.member_1][_e561];
-                                            let _e568 = (_e566 >> bitcast<u32>(11u));
-                                            let _e570 = ((1u + _e260) % 4u);
-                                            if (_e570 < 4u) {
+                                            let _e568 = global_3.member[_e546.member_1][_e563];
+                                            let _e570 = (_e568 >> bitcast<u32>(11u));
+                                            let _e572 = ((1u + _e262) % 4u);
+                                            if (_e572 < 4u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_3.member[_e544.member_1][_e570];
-                                            let _e577 = (_e575 >> bitcast<u32>(11u));
-                                            let _e579 = ((1u + _e262) % 4u);
-                                            if (_e579 < 4u) {
+                                            let _e577 = global_3.member[_e546.member_1][_e572];
+                                            let _e579 = (_e577 >> bitcast<u32>(11u));
+                                            let _e581 = ((1u + _e264) % 4u);
+                                            if (_e581 < 4u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e584 = global_3.member[_e544.member_1][_e579];
-                                            let _e586 = (_e584 >> bitcast<u32>(11u));
-                                            let _e609 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e610 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e611 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e613 = select(_e141, _e609, (_e609 > _e141));
-                                            let _e615 = select(_e141, _e610, (_e610 > _e141));
-                                            let _e617 = select(_e141, _e611, (_e611 > _e141));
-                                            let _e642 = bitcast<u32>((f32(bitcast<i32>((_e566 & 1023u))) * _e613));
-                                            let _e647 = (bitcast<i32>((_e566 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e650 = bitcast<f32>((_e642 & bitcast<u32>(_e647)));
-                                            let _e651 = bitcast<u32>((f32(bitcast<i32>((_e575 & 1023u))) * _e615));
-                                            let _e656 = (bitcast<i32>((_e575 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e659 = bitcast<f32>((_e651 & bitcast<u32>(_e656)));
-                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e584 & 1023u))) * _e617));
-                                            let _e665 = (bitcast<i32>((_e584 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
-                                            let _e672 = bitcast<f32>((_e642 & bitcast<u32>(~(_e647))));
-                                            let _e676 = bitcast<f32>((_e651 & bitcast<u32>(~(_e656))));
-                                            let _e680 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
-                                            let _e681 = bitcast<u32>((f32(bitcast<i32>((_e568 & 1023u))) * _e613));
-                                            let _e686 = (bitcast<i32>((_e568 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e689 = bitcast<f32>((_e681 & bitcast<u32>(_e686)));
-                                            let _e690 = bitcast<u32>((f32(bitcast<i32>((_e577 & 1023u))) * _e615));
-                                            let _e695 = (bitcast<i32>((_e577 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e698 = bitcast<f32>((_e690 & bitcast<u32>(_e695)));
-                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e586 & 1023u))) * _e617));
-                                            let _e704 = (bitcast<i32>((_e586 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
-                                            let _e711 = bitcast<f32>((_e681 & bitcast<u32>(~(_e686))));
-                                            let _e715 = bitcast<f32>((_e690 & bitcast<u32>(~(_e695))));
-                                            let _e719 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
-                                            let _e720 = (_e544.member.member.x + _e650);
-                                            let _e721 = (_e544.member.member.y + _e659);
-                                            let _e722 = (_e544.member.member.z + _e668);
-                                            let _e725 = (_e544.member.member_1.x - _e689);
-                                            let _e726 = (_e544.member.member_1.y - _e698);
-                                            let _e727 = (_e544.member.member_1.z - _e707);
-                                            let _e746 = (_e725 - _e720);
-                                            let _e747 = (_e726 - _e721);
+                                            let _e586 = global_3.member[_e546.member_1][_e581];
+                                            let _e588 = (_e586 >> bitcast<u32>(11u));
+                                            let _e611 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.x - _e546.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e612 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.y - _e546.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e613 = (bitcast<f32>((bitcast<u32>((_e546.member.member_1.z - _e546.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e615 = select(_e143, _e611, (_e611 > _e143));
+                                            let _e617 = select(_e143, _e612, (_e612 > _e143));
+                                            let _e619 = select(_e143, _e613, (_e613 > _e143));
+                                            let _e644 = bitcast<u32>((f32(bitcast<i32>((_e568 & 1023u))) * _e615));
+                                            let _e649 = (bitcast<i32>((_e568 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e652 = bitcast<f32>((_e644 & bitcast<u32>(_e649)));
+                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e577 & 1023u))) * _e617));
+                                            let _e658 = (bitcast<i32>((_e577 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
+                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e586 & 1023u))) * _e619));
+                                            let _e667 = (bitcast<i32>((_e586 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
+                                            let _e674 = bitcast<f32>((_e644 & bitcast<u32>(~(_e649))));
+                                            let _e678 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
+                                            let _e682 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
+                                            let _e683 = bitcast<u32>((f32(bitcast<i32>((_e570 & 1023u))) * _e615));
+                                            let _e688 = (bitcast<i32>((_e570 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e691 = bitcast<f32>((_e683 & bitcast<u32>(_e688)));
+                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e579 & 1023u))) * _e617));
+                                            let _e697 = (bitcast<i32>((_e579 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
+                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e588 & 1023u))) * _e619));
+                                            let _e706 = (bitcast<i32>((_e588 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
+                                            let _e713 = bitcast<f32>((_e683 & bitcast<u32>(~(_e688))));
+                                            let _e717 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
+                                            let _e721 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
+                                            let _e722 = (_e546.member.member.x + _e652);
+                                            let _e723 = (_e546.member.member.y + _e661);
+                                            let _e724 = (_e546.member.member.z + _e670);
+                                            let _e727 = (_e546.member.member_1.x - _e691);
+                                            let _e728 = (_e546.member.member_1.y - _e700);
+                                            let _e729 = (_e546.member.member_1.z - _e709);
                                             let _e748 = (_e727 - _e722);
-                                            let _e750 = select(_e747, _e746, (_e746 > _e747));
-                                            let _e752 = select(_e748, _e750, (_e750 > _e748));
-                                            if (_e752 < (1024f * _e141)) {
-                                                phi_2772_ = 0u;
+                                            let _e749 = (_e728 - _e723);
+                                            let _e750 = (_e729 - _e724);
+                                            let _e752 = select(_e749, _e748, (_e748 > _e749));
+                                            let _e754 = select(_e750, _e752, (_e752 > _e750));
+                                            if (_e754 < (1024f * _e143)) {
+                                                phi_3045_ = 0u;
                                             } else {
-                                                phi_2772_ = select(2u, 1u, (_e752 < (2097152f * _e141)));
+                                                phi_3045_ = select(2u, 1u, (_e754 < (2097152f * _e143)));
                                             }
-                                            let _e759 = phi_2772_;
-                                            switch bitcast<i32>(_e759) {
+                                            let _e761 = phi_3045_;
+                                            switch bitcast<i32>(_e761) {
                                                 case 0: {
-                                                    phi_2778_ = 1u;
+                                                    phi_3051_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2778_ = 2u;
+                                                    phi_3051_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2778_ = 3u;
+                                                    phi_3051_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2778_ = u32();
+                                                    phi_3051_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e762 = phi_2778_;
-                                            let _e768 = global_3.member[_e544.member_1][0u];
-                                            let _e772 = global_3.member[_e544.member_1][1u];
-                                            let _e776 = global_3.member[_e544.member_1][2u];
-                                            let _e780 = global_3.member[_e544.member_1][3u];
-                                            let _e792 = (((_e772 >> bitcast<u32>(22i)) | ((_e776 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e780 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e793 = (_e768 & 268435455u);
-                                            let _e794 = (_e792 & 268435455u);
-                                            let _e797 = ((_e768 >> bitcast<u32>(28u)) & 7u);
-                                            let _e805 = ((_e768 >> bitcast<u32>(31i)) | (((_e792 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e806 = (_e797 != 0u);
-                                            if (_e797 == 0u) {
-                                                phi_3033_ = _e793;
+                                            let _e764 = phi_3051_;
+                                            let _e770 = global_3.member[_e546.member_1][0u];
+                                            let _e774 = global_3.member[_e546.member_1][1u];
+                                            let _e778 = global_3.member[_e546.member_1][2u];
+                                            let _e782 = global_3.member[_e546.member_1][3u];
+                                            let _e794 = (((_e774 >> bitcast<u32>(22i)) | ((_e778 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e782 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e795 = (_e770 & 268435455u);
+                                            let _e796 = (_e794 & 268435455u);
+                                            let _e799 = ((_e770 >> bitcast<u32>(28u)) & 7u);
+                                            let _e807 = ((_e770 >> bitcast<u32>(31i)) | (((_e794 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e808 = (_e799 != 0u);
+                                            if (_e799 == 0u) {
+                                                phi_3306_ = _e795;
                                             } else {
-                                                if (_e797 == 7u) {
-                                                    phi_3032_ = 2147483648u;
+                                                if (_e799 == 7u) {
+                                                    phi_3305_ = 2147483648u;
                                                 } else {
-                                                    phi_3032_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (_e794 & 268435455u));
+                                                    phi_3305_ = ((2147483648u | (_e799 << bitcast<u32>(28u))) | (_e796 & 268435455u));
                                                 }
-                                                let _e815 = phi_3032_;
-                                                phi_3033_ = _e815;
+                                                let _e817 = phi_3305_;
+                                                phi_3306_ = _e817;
                                             }
-                                            let _e817 = phi_3033_;
-                                            if _e806 {
-                                                let _e818 = (_e797 != 7u);
-                                                if _e818 {
-                                                    phi_3043_ = (_e794 + (_e797 * ((3u * _e762) + 1u)));
+                                            let _e819 = phi_3306_;
+                                            if _e808 {
+                                                let _e820 = (_e799 != 7u);
+                                                if _e820 {
+                                                    phi_3316_ = (_e796 + (_e799 * ((3u * _e764) + 1u)));
                                                 } else {
-                                                    phi_3043_ = u32();
+                                                    phi_3316_ = u32();
                                                 }
-                                                let _e822 = phi_3043_;
-                                                phi_3045_ = _e822;
-                                                phi_3046_ = select(true, false, _e818);
+                                                let _e824 = phi_3316_;
+                                                phi_3318_ = _e824;
+                                                phi_3319_ = select(true, false, _e820);
                                             } else {
-                                                phi_3045_ = u32();
-                                                phi_3046_ = true;
+                                                phi_3318_ = u32();
+                                                phi_3319_ = true;
                                             }
-                                            let _e825 = phi_3045_;
-                                            let _e827 = phi_3046_;
-                                            if (_e805 == 0u) {
-                                                phi_3067_ = (_e793 + select(0u, 1u, !(_e806)));
+                                            let _e827 = phi_3318_;
+                                            let _e829 = phi_3319_;
+                                            if (_e807 == 0u) {
+                                                phi_3340_ = (_e795 + select(0u, 1u, !(_e808)));
                                             } else {
-                                                if (_e805 == 7u) {
-                                                    phi_3066_ = 2147483648u;
+                                                if (_e807 == 7u) {
+                                                    phi_3339_ = 2147483648u;
                                                 } else {
-                                                    phi_3066_ = ((2147483648u | (_e805 << bitcast<u32>(28u))) | (select(_e825, _e794, _e827) & 268435455u));
+                                                    phi_3339_ = ((2147483648u | (_e807 << bitcast<u32>(28u))) | (select(_e827, _e796, _e829) & 268435455u));
                                                 }
-                                                let _e840 = phi_3066_;
-                                                phi_3067_ = _e840;
+                                                let _e842 = phi_3339_;
+                                                phi_3340_ = _e842;
                                             }
-                                            let _e842 = phi_3067_;
-                                            phi_3071_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e720, (_e544.member.member.x + _e672), _e725, (_e544.member.member_1.x - _e711)), vec4<f32>(_e721, (_e544.member.member.y + _e676), _e726, (_e544.member.member_1.y - _e715)), vec4<f32>(_e722, (_e544.member.member.z + _e680), _e727, (_e544.member.member_1.z - _e719))), type_45(type_28((_e544.member.member + vec4<f32>(_e650, _e659, _e668, 0f)), (_e544.member.member_1 - vec4<f32>(_e689, _e698, _e707, 0f))), _e817), type_45(type_28((_e544.member.member + vec4<f32>(_e672, _e676, _e680, 0f)), (_e544.member.member_1 - vec4<f32>(_e711, _e715, _e719, 0f))), _e842));
+                                            let _e844 = phi_3340_;
+                                            phi_3344_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e722, (_e546.member.member.x + _e674), _e727, (_e546.member.member_1.x - _e713)), vec4<f32>(_e723, (_e546.member.member.y + _e678), _e728, (_e546.member.member_1.y - _e717)), vec4<f32>(_e724, (_e546.member.member.z + _e682), _e729, (_e546.member.member_1.z - _e721))), type_45(type_28((_e546.member.member + vec4<f32>(_e652, _e661, _e670, 0f)), (_e546.member.member_1 - vec4<f32>(_e691, _e700, _e709, 0f))), _e819), type_45(type_28((_e546.member.member + vec4<f32>(_e674, _e678, _e682, 0f)), (_e546.member.member_1 - vec4<f32>(_e713, _e717, _e721, 0f))), _e844));
                                         }
-                                        let _e847 = phi_3071_;
-                                        let _e859 = ((_e847.member[0].x - _e333) * _e338);
-                                        let _e860 = ((_e847.member[0].y - _e333) * _e338);
-                                        let _e861 = ((_e847.member[0].z - _e334) * _e338);
-                                        let _e862 = ((_e847.member[0].w - _e334) * _e338);
-                                        let _e872 = ((_e847.member[1].x - _e371) * _e376);
-                                        let _e873 = ((_e847.member[1].y - _e371) * _e376);
-                                        let _e874 = ((_e847.member[1].z - _e372) * _e376);
-                                        let _e875 = ((_e847.member[1].w - _e372) * _e376);
-                                        let _e885 = ((_e847.member[2].x - _e409) * _e414);
-                                        let _e886 = ((_e847.member[2].y - _e409) * _e414);
-                                        let _e887 = ((_e847.member[2].z - _e410) * _e414);
-                                        let _e888 = ((_e847.member[2].w - _e410) * _e414);
-                                        let _e890 = select(_e887, _e885, (_e885 < _e887));
-                                        let _e892 = select(_e888, _e886, (_e886 < _e888));
-                                        let _e894 = select(_e887, _e885, (_e885 > _e887));
-                                        let _e896 = select(_e888, _e886, (_e886 > _e888));
-                                        let _e898 = select(_e861, _e859, (_e859 < _e861));
-                                        let _e900 = select(_e862, _e860, (_e860 < _e862));
-                                        let _e902 = select(_e874, _e872, (_e872 < _e874));
-                                        let _e904 = select(_e875, _e873, (_e873 < _e875));
-                                        let _e906 = select(_e902, _e898, (_e898 > _e902));
+                                        let _e849 = phi_3344_;
+                                        let _e861 = ((_e849.member[0].x - _e335) * _e340);
+                                        let _e862 = ((_e849.member[0].y - _e335) * _e340);
+                                        let _e863 = ((_e849.member[0].z - _e336) * _e340);
+                                        let _e864 = ((_e849.member[0].w - _e336) * _e340);
+                                        let _e874 = ((_e849.member[1].x - _e373) * _e378);
+                                        let _e875 = ((_e849.member[1].y - _e373) * _e378);
+                                        let _e876 = ((_e849.member[1].z - _e374) * _e378);
+                                        let _e877 = ((_e849.member[1].w - _e374) * _e378);
+                                        let _e887 = ((_e849.member[2].x - _e411) * _e416);
+                                        let _e888 = ((_e849.member[2].y - _e411) * _e416);
+                                        let _e889 = ((_e849.member[2].z - _e412) * _e416);
+                                        let _e890 = ((_e849.member[2].w - _e412) * _e416);
+                                        let _e892 = select(_e889, _e887, (_e887 < _e889));
+                                        let _e894 = select(_e890, _e888, (_e888 < _e890));
+                                        let _e896 = select(_e889, _e887, (_e887 > _e889));
+                                        let _e898 = select(_e890, _e888, (_e888 > _e890));
+                                        let _e900 = select(_e863, _e861, (_e861 < _e863));
+                                        let _e902 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e904 = select(_e876, _e874, (_e874 < _e876));
+                                        let _e906 = select(_e877, _e875, (_e875 < _e877));
                                         let _e908 = select(_e904, _e900, (_e900 > _e904));
-                                        let _e910 = select(_e890, _e906, (_e906 > _e890));
+                                        let _e910 = select(_e906, _e902, (_e902 > _e906));
                                         let _e912 = select(_e892, _e908, (_e908 > _e892));
-                                        let _e914 = select(_e861, _e859, (_e859 > _e861));
-                                        let _e916 = select(_e862, _e860, (_e860 > _e862));
-                                        let _e918 = select(_e874, _e872, (_e872 > _e874));
-                                        let _e920 = select(_e875, _e873, (_e873 > _e875));
-                                        let _e922 = select(_e918, _e914, (_e914 < _e918));
+                                        let _e914 = select(_e894, _e910, (_e910 > _e894));
+                                        let _e916 = select(_e863, _e861, (_e861 > _e863));
+                                        let _e918 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e920 = select(_e876, _e874, (_e874 > _e876));
+                                        let _e922 = select(_e877, _e875, (_e875 > _e877));
                                         let _e924 = select(_e920, _e916, (_e916 < _e920));
-                                        let _e929 = -(_e890);
-                                        let _e930 = -(_e892);
-                                        let _e937 = (select(_e894, _e922, (_e922 < _e894)) + (select(_e929, _e894, (_e894 > _e929)) * 0.0000019073523f));
-                                        let _e938 = (select(_e896, _e924, (_e924 < _e896)) + (select(_e930, _e896, (_e896 > _e930)) * 0.0000019073523f));
-                                        let _e940 = select(_e461, _e910, (_e910 > _e461));
-                                        let _e942 = select(_e461, _e912, (_e912 > _e461));
-                                        let _e947 = (_e940 <= select(_e505.member, _e937, (_e937 < _e505.member)));
-                                        let _e948 = (_e942 <= select(_e505.member, _e938, (_e938 < _e505.member)));
-                                        let _e949 = (_e940 <= _e942);
-                                        if _e947 {
-                                            if _e948 {
-                                                if _e949 {
-                                                    phi_3415_ = _e847.member_2;
+                                        let _e926 = select(_e922, _e918, (_e918 < _e922));
+                                        let _e931 = -(_e892);
+                                        let _e932 = -(_e894);
+                                        let _e939 = (select(_e896, _e924, (_e924 < _e896)) + (select(_e931, _e896, (_e896 > _e931)) * 0.0000019073523f));
+                                        let _e940 = (select(_e898, _e926, (_e926 < _e898)) + (select(_e932, _e898, (_e898 > _e932)) * 0.0000019073523f));
+                                        let _e942 = select(_e463, _e912, (_e912 > _e463));
+                                        let _e944 = select(_e463, _e914, (_e914 > _e463));
+                                        let _e949 = (_e942 <= select(_e507.member, _e939, (_e939 < _e507.member)));
+                                        let _e950 = (_e944 <= select(_e507.member, _e940, (_e940 < _e507.member)));
+                                        let _e951 = (_e942 <= _e944);
+                                        if _e949 {
+                                            if _e950 {
+                                                if _e951 {
+                                                    phi_3688_ = _e849.member_2;
                                                 } else {
-                                                    phi_3415_ = _e847.member_1;
+                                                    phi_3688_ = _e849.member_1;
                                                 }
-                                                let _e953 = phi_3415_;
-                                                let _e975 = (_e548 % 128u);
-                                                let _e976 = (_e975 < 128u);
-                                                if _e976 {
+                                                let _e955 = phi_3688_;
+                                                let _e977 = (_e550 % 128u);
+                                                let _e978 = (_e977 < 128u);
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_8[_e975] = _e953.member_1;
-                                                if _e976 {
+                                                local_8[_e977] = _e955.member_1;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_7[_e975] = _e953.member.member.x;
-                                                if _e976 {
+                                                local_7[_e977] = _e955.member.member.x;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_6[_e975] = _e953.member.member.y;
-                                                if _e976 {
+                                                local_6[_e977] = _e955.member.member.y;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_5[_e975] = _e953.member.member.z;
-                                                if _e976 {
+                                                local_5[_e977] = _e955.member.member.z;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_4[_e975] = _e953.member.member_1.x;
-                                                if _e976 {
+                                                local_4[_e977] = _e955.member.member_1.x;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_3[_e975] = _e953.member.member_1.y;
-                                                if _e976 {
+                                                local_3[_e977] = _e955.member.member_1.y;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_2[_e975] = _e953.member.member_1.z;
-                                                if _e976 {
+                                                local_2[_e977] = _e955.member.member_1.z;
+                                                if _e978 {
                                                 } else {
-                                                    phi_3891_ = true;
+                                                    phi_4192_ = true;
                                                     break;
                                                 }
-                                                local_9[_e975] = select(_e942, _e940, (_e940 > _e942));
-                                                if _e949 {
-                                                    phi_3492_ = _e847.member_1;
+                                                local_9[_e977] = select(_e944, _e942, (_e942 > _e944));
+                                                if _e951 {
+                                                    phi_3765_ = _e849.member_1;
                                                 } else {
-                                                    phi_3492_ = _e847.member_2;
+                                                    phi_3765_ = _e849.member_2;
                                                 }
-                                                let _e989 = phi_3492_;
-                                                phi_3493_ = _e989;
-                                                phi_3494_ = (_e548 + 1u);
+                                                let _e991 = phi_3765_;
+                                                phi_3766_ = _e991;
+                                                phi_3767_ = (_e550 + 1u);
                                             } else {
-                                                phi_3493_ = type_45();
-                                                phi_3494_ = u32();
+                                                phi_3766_ = type_45();
+                                                phi_3767_ = u32();
                                             }
-                                            let _e991 = phi_3493_;
-                                            let _e993 = phi_3494_;
-                                            phi_3496_ = _e991;
-                                            phi_3497_ = _e993;
-                                            phi_3498_ = select(true, false, _e948);
+                                            let _e993 = phi_3766_;
+                                            let _e995 = phi_3767_;
+                                            phi_3769_ = _e993;
+                                            phi_3770_ = _e995;
+                                            phi_3771_ = select(true, false, _e950);
                                         } else {
-                                            phi_3496_ = type_45();
-                                            phi_3497_ = u32();
-                                            phi_3498_ = true;
+                                            phi_3769_ = type_45();
+                                            phi_3770_ = u32();
+                                            phi_3771_ = true;
                                         }
-                                        let _e996 = phi_3496_;
-                                        let _e998 = phi_3497_;
-                                        let _e1000 = phi_3498_;
-                                        if _e1000 {
-                                            if _e947 {
-                                                phi_3507_ = _e847.member_1;
+                                        let _e998 = phi_3769_;
+                                        let _e1000 = phi_3770_;
+                                        let _e1002 = phi_3771_;
+                                        if _e1002 {
+                                            if _e949 {
+                                                phi_3780_ = _e849.member_1;
                                             } else {
-                                                phi_3507_ = _e847.member_2;
+                                                phi_3780_ = _e849.member_2;
                                             }
-                                            let _e1004 = phi_3507_;
-                                            phi_3512_ = _e1004;
-                                            phi_3513_ = select(_e948, true, _e947);
+                                            let _e1006 = phi_3780_;
+                                            phi_3785_ = _e1006;
+                                            phi_3786_ = select(_e950, true, _e949);
                                         } else {
-                                            phi_3512_ = _e996;
-                                            phi_3513_ = _e546;
+                                            phi_3785_ = _e998;
+                                            phi_3786_ = _e548;
                                         }
-                                        let _e1007 = phi_3512_;
-                                        let _e1009 = phi_3513_;
-                                        phi_3895_ = _e503;
-                                        phi_3515_ = _e505;
-                                        phi_3516_ = _e1007;
-                                        phi_3517_ = _e1009;
-                                        phi_3518_ = select(_e998, _e548, _e1000);
+                                        let _e1009 = phi_3785_;
+                                        let _e1011 = phi_3786_;
+                                        phi_4196_ = _e505;
+                                        phi_3788_ = _e507;
+                                        phi_3789_ = _e1009;
+                                        phi_3790_ = _e1011;
+                                        phi_3791_ = select(_e1000, _e550, _e1002);
                                     }
-                                    let _e1745 = phi_3895_;
-                                    let _e1747 = phi_3515_;
-                                    let _e1749 = phi_3516_;
-                                    let _e1751 = phi_3517_;
-                                    let _e1753 = phi_3518_;
-                                    phi_3894_ = _e1745;
-                                    phi_3519_ = _e1747;
-                                    phi_3520_ = _e1749;
-                                    phi_3521_ = (_e509 - 1u);
-                                    phi_3522_ = _e1751;
-                                    phi_3523_ = _e1753;
+                                    let _e1927 = phi_4196_;
+                                    let _e1929 = phi_3788_;
+                                    let _e1931 = phi_3789_;
+                                    let _e1933 = phi_3790_;
+                                    let _e1935 = phi_3791_;
+                                    phi_4195_ = _e1927;
+                                    phi_3792_ = _e1929;
+                                    phi_3793_ = _e1931;
+                                    phi_3794_ = (_e511 - 1u);
+                                    phi_3795_ = _e1933;
+                                    phi_3796_ = _e1935;
                                 } else {
-                                    phi_3894_ = _e503;
-                                    phi_3519_ = _e505;
-                                    phi_3520_ = _e544;
-                                    phi_3521_ = _e509;
-                                    phi_3522_ = _e546;
-                                    phi_3523_ = _e548;
+                                    phi_4195_ = _e505;
+                                    phi_3792_ = _e507;
+                                    phi_3793_ = _e546;
+                                    phi_3794_ = _e511;
+                                    phi_3795_ = _e548;
+                                    phi_3796_ = _e550;
                                 }
-                                let _e1755 = phi_3894_;
-                                let _e1757 = phi_3519_;
-                                let _e1759 = phi_3520_;
-                                let _e1761 = phi_3521_;
-                                let _e1763 = phi_3522_;
-                                let _e1765 = phi_3523_;
-                                phi_3893_ = _e1755;
-                                phi_3524_ = _e1757;
-                                phi_3525_ = _e1759;
-                                phi_3526_ = _e1761;
-                                phi_3527_ = _e1763;
-                                phi_3528_ = _e1765;
+                                let _e1937 = phi_4195_;
+                                let _e1939 = phi_3792_;
+                                let _e1941 = phi_3793_;
+                                let _e1943 = phi_3794_;
+                                let _e1945 = phi_3795_;
+                                let _e1947 = phi_3796_;
+                                phi_4194_ = _e1937;
+                                phi_3797_ = _e1939;
+                                phi_3798_ = _e1941;
+                                phi_3799_ = _e1943;
+                                phi_3800_ = _e1945;
+                                phi_3801_ = _e1947;
                             } else {
-                                phi_3893_ = _e503;
-                                phi_3524_ = type_38();
-                                phi_3525_ = type_45();
-                                phi_3526_ = u32();
-                                phi_3527_ = bool();
-                                phi_3528_ = u32();
+                                phi_4194_ = _e505;
+                                phi_3797_ = type_38();
+                                phi_3798_ = type_45();
+                                phi_3799_ = u32();
+                                phi_3800_ = bool();
+                                phi_3801_ = u32();
                             }
-                            let _e1767 = phi_3893_;
-                            let _e1769 = phi_3524_;
-                            let _e1771 = phi_3525_;
-                            let _e1773 = phi_3526_;
-                            let _e1775 = phi_3527_;
-                            let _e1777 = phi_3528_;
-                            phi_3892_ = _e1767;
-                            phi_841_ = _e1769;
-                            phi_844_ = _e1771;
-                            phi_846_ = _e1773;
-                            phi_848_ = _e1775;
-                            phi_850_ = _e1777;
-                            phi_3529_ = _e517;
+                            let _e1949 = phi_4194_;
+                            let _e1951 = phi_3797_;
+                            let _e1953 = phi_3798_;
+                            let _e1955 = phi_3799_;
+                            let _e1957 = phi_3800_;
+                            let _e1959 = phi_3801_;
+                            phi_4193_ = _e1949;
+                            phi_847_ = _e1951;
+                            phi_850_ = _e1953;
+                            phi_852_ = _e1955;
+                            phi_854_ = _e1957;
+                            phi_856_ = _e1959;
+                            phi_3802_ = _e519;
                         } else {
-                            phi_3892_ = _e503;
-                            phi_841_ = type_38();
-                            phi_844_ = type_45();
-                            phi_846_ = u32();
-                            phi_848_ = bool();
-                            phi_850_ = u32();
-                            phi_3529_ = false;
+                            phi_4193_ = _e505;
+                            phi_847_ = type_38();
+                            phi_850_ = type_45();
+                            phi_852_ = u32();
+                            phi_854_ = bool();
+                            phi_856_ = u32();
+                            phi_3802_ = false;
                         }
-                        let _e1779 = phi_3892_;
-                        let _e1781 = phi_841_;
-                        let _e1783 = phi_844_;
-                        let _e1785 = phi_846_;
-                        let _e1787 = phi_848_;
-                        let _e1789 = phi_850_;
-                        let _e1791 = phi_3529_;
+                        let _e1961 = phi_4193_;
+                        let _e1963 = phi_847_;
+                        let _e1965 = phi_850_;
+                        let _e1967 = phi_852_;
+                        let _e1969 = phi_854_;
+                        let _e1971 = phi_856_;
+                        let _e1973 = phi_3802_;
                         continue;
                         continuing {
-                            phi_3739_ = _e1779;
-                            phi_840_ = _e1781;
-                            phi_843_ = _e1783;
-                            phi_845_ = _e1785;
-                            phi_847_ = _e1787;
-                            phi_849_ = _e1789;
-                            phi_3891_ = _e1779;
-                            break if !(_e1791);
+                            phi_4012_ = _e1961;
+                            phi_846_ = _e1963;
+                            phi_849_ = _e1965;
+                            phi_851_ = _e1967;
+                            phi_853_ = _e1969;
+                            phi_855_ = _e1971;
+                            phi_4192_ = _e1961;
+                            break if !(_e1973);
                         }
                     }
-                    let _e1794 = phi_3891_;
-                    if _e1794 {
+                    let _e1976 = phi_4192_;
+                    if _e1976 {
                         break;
                     }
-                    let _e1796 = local_11;
-                    if _e149 {
+                    let _e1978 = local_11;
+                    if _e151 {
                     } else {
                         break;
                     }
-                    global_5.member[_e147] = select(0u, 1u, _e1796.member_1);
+                    global_5.member[_e149] = select(0u, 1u, _e1978.member_1);
                 }
             }
             break;

@@ -92,382 +92,399 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_358_: i32;
-    var phi_359_: i32;
-    var phi_369_: bool;
-    var phi_379_: u32;
-    var phi_380_: u32;
-    var phi_382_: bool;
-    var phi_387_: u32;
-    var phi_399_: i32;
-    var phi_419_: i32;
-    var phi_437_: f32;
+    var phi_364_: i32;
+    var phi_365_: i32;
+    var phi_375_: bool;
+    var phi_385_: u32;
+    var phi_386_: u32;
+    var phi_388_: bool;
+    var phi_393_: u32;
+    var phi_405_: i32;
+    var phi_425_: i32;
     var phi_443_: f32;
-    var phi_454_: f32;
+    var phi_449_: f32;
     var phi_460_: f32;
-    var phi_483_: f32;
-    var phi_494_: f32;
-    var phi_503_: f32;
+    var phi_466_: f32;
+    var phi_489_: f32;
+    var phi_500_: f32;
     var phi_509_: f32;
-    var phi_520_: f32;
+    var phi_515_: f32;
     var phi_526_: f32;
-    var phi_549_: f32;
-    var phi_560_: f32;
-    var phi_569_: f32;
+    var phi_532_: f32;
+    var phi_555_: f32;
+    var phi_566_: f32;
     var phi_575_: f32;
-    var phi_586_: f32;
+    var phi_581_: f32;
     var phi_592_: f32;
-    var phi_615_: f32;
-    var phi_626_: f32;
-    var phi_726_: f32;
-    var phi_727_: f32;
-    var phi_3111_: bool;
-    var phi_816_: type_38;
-    var phi_819_: type_49;
-    var phi_821_: u32;
-    var phi_823_: bool;
-    var phi_825_: u32;
-    var phi_836_: bool;
-    var phi_922_: type_49;
-    var phi_923_: bool;
-    var phi_924_: u32;
-    var phi_2389_: u32;
-    var phi_2390_: u32;
-    var phi_2400_: u32;
-    var phi_2402_: u32;
-    var phi_2403_: bool;
-    var phi_2423_: u32;
-    var phi_2424_: u32;
-    var phi_2428_: type_50;
-    var phi_2772_: type_49;
-    var phi_2849_: type_49;
-    var phi_2850_: type_49;
-    var phi_2851_: u32;
-    var phi_2853_: type_49;
-    var phi_2854_: u32;
-    var phi_2855_: bool;
-    var phi_2864_: type_49;
-    var phi_2869_: type_49;
-    var phi_2870_: bool;
-    var phi_942_: type_38;
-    var phi_945_: type_7;
-    var phi_946_: type_7;
-    var phi_968_: type_7;
-    var phi_989_: u32;
-    var phi_1078_: array<array<f32, 3>, 3>;
-    var phi_1549_: vec3<f32>;
-    var phi_1550_: vec3<f32>;
-    var phi_1581_: bool;
-    var phi_1590_: vec3<f32>;
-    var phi_1630_: type_24;
-    var phi_1632_: type_24;
-    var phi_1633_: bool;
-    var phi_1637_: type_24;
-    var phi_1638_: type_24;
-    var phi_1639_: type_24;
-    var phi_1640_: bool;
-    var phi_1644_: type_24;
-    var phi_1645_: bool;
-    var phi_1649_: type_24;
-    var phi_1650_: bool;
-    var phi_1654_: type_24;
-    var phi_1665_: type_38;
-    var phi_1666_: type_38;
-    var phi_943_: type_38;
-    var phi_3105_: bool;
+    var phi_598_: f32;
+    var phi_621_: f32;
+    var phi_632_: f32;
+    var phi_732_: f32;
+    var phi_733_: f32;
+    var phi_3384_: bool;
+    var phi_822_: type_38;
+    var phi_825_: type_49;
+    var phi_827_: u32;
+    var phi_829_: bool;
+    var phi_831_: u32;
+    var phi_842_: bool;
+    var phi_928_: type_49;
+    var phi_929_: bool;
+    var phi_930_: u32;
+    var phi_2662_: u32;
+    var phi_2663_: u32;
+    var phi_2673_: u32;
+    var phi_2675_: u32;
+    var phi_2676_: bool;
+    var phi_2696_: u32;
+    var phi_2697_: u32;
+    var phi_2701_: type_50;
+    var phi_3045_: type_49;
+    var phi_3122_: type_49;
+    var phi_3123_: type_49;
+    var phi_3124_: u32;
+    var phi_3126_: type_49;
+    var phi_3127_: u32;
+    var phi_3128_: bool;
+    var phi_3137_: type_49;
+    var phi_3142_: type_49;
+    var phi_3143_: bool;
+    var phi_948_: type_38;
+    var phi_951_: type_7;
+    var phi_952_: type_7;
+    var phi_974_: type_7;
+    var phi_995_: u32;
+    var phi_1084_: array<array<f32, 3>, 3>;
+    var phi_1201_: bool;
+    var phi_1230_: bool;
+    var phi_1631_: f32;
+    var phi_1632_: f32;
+    var phi_1633_: f32;
+    var phi_1634_: f32;
+    var phi_1635_: vec3<f32>;
+    var phi_1636_: vec3<f32>;
+    var phi_1637_: vec3<f32>;
+    var phi_1638_: vec3<f32>;
+    var phi_1669_: bool;
+    var phi_1678_: vec3<f32>;
+    var phi_1845_: bool;
+    var phi_1869_: f32;
+    var phi_1870_: f32;
+    var phi_1893_: type_24;
+    var phi_1895_: type_24;
+    var phi_1896_: bool;
+    var phi_1900_: type_24;
+    var phi_1901_: type_24;
+    var phi_1902_: type_24;
+    var phi_1903_: bool;
+    var phi_1907_: type_24;
+    var phi_1908_: bool;
+    var phi_1909_: type_24;
+    var phi_1910_: bool;
+    var phi_1911_: bool;
+    var phi_1912_: type_24;
+    var phi_1913_: bool;
+    var phi_1914_: bool;
+    var phi_1922_: type_24;
+    var phi_1923_: bool;
+    var phi_1927_: type_24;
+    var phi_1938_: type_38;
+    var phi_1939_: type_38;
+    var phi_949_: type_38;
+    var phi_3378_: bool;
     var local_10: type_38;
-    var phi_3220_: bool;
-    var phi_2872_: type_38;
-    var phi_2873_: type_49;
-    var phi_2874_: bool;
-    var phi_2875_: u32;
-    var phi_3219_: bool;
-    var phi_2876_: type_38;
-    var phi_2877_: type_49;
-    var phi_2878_: u32;
-    var phi_2879_: bool;
-    var phi_2880_: u32;
-    var phi_3218_: bool;
-    var phi_2881_: type_38;
-    var phi_2882_: type_49;
-    var phi_2883_: u32;
-    var phi_2884_: bool;
-    var phi_2885_: u32;
-    var phi_3217_: bool;
-    var phi_817_: type_38;
-    var phi_820_: type_49;
-    var phi_822_: u32;
-    var phi_824_: bool;
-    var phi_826_: u32;
-    var phi_2886_: bool;
-    var phi_3216_: bool;
+    var phi_3521_: bool;
+    var phi_3145_: type_38;
+    var phi_3146_: type_49;
+    var phi_3147_: bool;
+    var phi_3148_: u32;
+    var phi_3520_: bool;
+    var phi_3149_: type_38;
+    var phi_3150_: type_49;
+    var phi_3151_: u32;
+    var phi_3152_: bool;
+    var phi_3153_: u32;
+    var phi_3519_: bool;
+    var phi_3154_: type_38;
+    var phi_3155_: type_49;
+    var phi_3156_: u32;
+    var phi_3157_: bool;
+    var phi_3158_: u32;
+    var phi_3518_: bool;
+    var phi_823_: type_38;
+    var phi_826_: type_49;
+    var phi_828_: u32;
+    var phi_830_: bool;
+    var phi_832_: u32;
+    var phi_3159_: bool;
+    var phi_3517_: bool;
     var local_11: type_38;
     var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e81 = global;
-            let _e83 = arrayLength((&global_6.member));
-            let _e85 = arrayLength((&global_2.member));
-            let _e93 = global_3.member[0u][0u];
-            let _e97 = global_3.member[0u][1u];
-            let _e101 = global_3.member[0u][2u];
-            let _e105 = global_3.member[0u][3u];
-            let _e109 = global_3.member[1u][0u];
-            let _e113 = global_3.member[1u][1u];
-            let _e117 = global_3.member[1u][2u];
-            let _e120 = global_1.member[0u];
-            let _e121 = bitcast<i32>(_e120);
-            let _e133 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e105) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e93), bitcast<i32>(_e97), bitcast<i32>(_e101));
-            local = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
-            let _e139 = (_e81.x + (_e81.y * 2097152u));
-            let _e140 = (_e139 < arrayLength((&global_4.member)));
-            if _e140 {
-                let _e141 = (_e139 < arrayLength((&global_5.member)));
-                if _e141 {
-                    if _e140 {
+            let _e82 = global;
+            let _e84 = arrayLength((&global_6.member));
+            let _e86 = arrayLength((&global_2.member));
+            let _e94 = global_3.member[0u][0u];
+            let _e98 = global_3.member[0u][1u];
+            let _e102 = global_3.member[0u][2u];
+            let _e106 = global_3.member[0u][3u];
+            let _e110 = global_3.member[1u][0u];
+            let _e114 = global_3.member[1u][1u];
+            let _e118 = global_3.member[1u][2u];
+            let _e121 = global_1.member[0u];
+            let _e122 = bitcast<i32>(_e121);
+            let _e134 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e106) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e94), bitcast<i32>(_e98), bitcast<i32>(_e102));
+            local = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
+            let _e140 = (_e82.x + (_e82.y * 2097152u));
+            let _e141 = (_e140 < arrayLength((&global_4.member)));
+            if _e141 {
+                let _e142 = (_e140 < arrayLength((&global_5.member)));
+                if _e142 {
+                    if _e141 {
                     } else {
                         break;
                     }
-                    let _e149 = global_4.member[_e139].member_2[0u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e139].member_2[1u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e139].member_2[2u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e139].member[0u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e139].member[1u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_4.member[_e139].member[2u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e188 = select(_e158, _e151, (_e158 < _e151));
-                    let _e190 = select(_e165, _e188, (_e165 < _e188));
-                    let _e192 = select(_e172, _e190, (_e172 < _e190));
-                    let _e194 = select(_e179, _e192, (_e179 < _e192));
-                    let _e196 = select(_e186, _e194, (_e186 < _e194));
-                    let _e200 = global_4.member[_e139].member_1;
-                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                    let _e209 = global_4.member[_e139].member_3;
-                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
-                    if _e215 {
-                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
-                        if (_e218 >= 8388608u) {
-                            phi_358_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                    let _e150 = global_4.member[_e140].member_2[0u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_4.member[_e140].member_2[1u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_4.member[_e140].member_2[2u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_4.member[_e140].member[0u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e178 = global_4.member[_e140].member[1u];
+                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                    let _e185 = global_4.member[_e140].member[2u];
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e189 = select(_e159, _e152, (_e159 < _e152));
+                    let _e191 = select(_e166, _e189, (_e166 < _e189));
+                    let _e193 = select(_e173, _e191, (_e173 < _e191));
+                    let _e195 = select(_e180, _e193, (_e180 < _e193));
+                    let _e197 = select(_e187, _e195, (_e187 < _e195));
+                    let _e201 = global_4.member[_e140].member_1;
+                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
+                    let _e210 = global_4.member[_e140].member_3;
+                    let _e216 = (((select(_e203, _e197, (_e203 < _e197)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e191 > 0u));
+                    if _e216 {
+                        let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
+                        if (_e219 >= 8388608u) {
+                            phi_364_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_358_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_364_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
                         }
-                        let _e232 = phi_358_;
-                        phi_359_ = _e232;
+                        let _e233 = phi_364_;
+                        phi_365_ = _e233;
                     } else {
-                        phi_359_ = 0i;
+                        phi_365_ = 0i;
                     }
-                    let _e234 = phi_359_;
-                    let _e235 = (_e151 == _e190);
-                    if _e235 {
-                        phi_369_ = true;
+                    let _e235 = phi_365_;
+                    let _e236 = (_e152 == _e191);
+                    if _e236 {
+                        phi_375_ = true;
                     } else {
-                        phi_369_ = (_e158 == _e190);
+                        phi_375_ = (_e159 == _e191);
                     }
-                    let _e238 = phi_369_;
-                    let _e239 = select(1u, 0u, _e235);
-                    if _e238 {
-                        let _e240 = (_e239 + 1u);
-                        phi_379_ = _e240;
-                        phi_380_ = _e240;
-                        phi_382_ = select(true, false, (_e240 == 2u));
+                    let _e239 = phi_375_;
+                    let _e240 = select(1u, 0u, _e236);
+                    if _e239 {
+                        let _e241 = (_e240 + 1u);
+                        phi_385_ = _e241;
+                        phi_386_ = _e241;
+                        phi_388_ = select(true, false, (_e241 == 2u));
                     } else {
-                        phi_379_ = u32();
-                        phi_380_ = 0u;
-                        phi_382_ = true;
+                        phi_385_ = u32();
+                        phi_386_ = 0u;
+                        phi_388_ = true;
                     }
-                    let _e244 = phi_379_;
-                    let _e246 = phi_380_;
-                    let _e248 = phi_382_;
-                    if _e248 {
-                        phi_387_ = (_e246 + 1u);
+                    let _e245 = phi_385_;
+                    let _e247 = phi_386_;
+                    let _e249 = phi_388_;
+                    if _e249 {
+                        phi_393_ = (_e247 + 1u);
                     } else {
-                        phi_387_ = 0u;
+                        phi_393_ = 0u;
                     }
-                    let _e252 = phi_387_;
-                    let _e253 = select(_e244, _e246, _e248);
-                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
-                    if (_e121 < -126i) {
-                        phi_399_ = -126i;
+                    let _e253 = phi_393_;
+                    let _e254 = select(_e245, _e247, _e249);
+                    let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
+                    if (_e122 < -126i) {
+                        phi_405_ = -126i;
                     } else {
-                        phi_399_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_405_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e259 = phi_399_;
-                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
-                    let _e270 = bitcast<f32>((bitcast<u32>(((_e121 - _e259) + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = -(_e234);
-                    if (_e271 < -126i) {
-                        phi_419_ = -126i;
+                    let _e260 = phi_405_;
+                    let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = -(_e235);
+                    if (_e272 < -126i) {
+                        phi_425_ = -126i;
                     } else {
-                        phi_419_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_425_ = select(_e272, 127i, (_e272 > 127i));
                     }
-                    let _e276 = phi_419_;
-                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = global_4.member[_e139].member;
-                    let _e292 = (_e253 == 0u);
-                    if _e292 {
-                        phi_437_ = _e291[0];
+                    let _e277 = phi_425_;
+                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
+                    let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = global_4.member[_e140].member;
+                    let _e293 = (_e254 == 0u);
+                    if _e293 {
+                        phi_443_ = _e292[0];
                     } else {
-                        phi_437_ = _e291[1];
+                        phi_443_ = _e292[1];
                     }
-                    let _e296 = phi_437_;
-                    let _e297 = (_e253 == 2u);
-                    if _e297 {
-                        phi_443_ = _e291[2];
+                    let _e297 = phi_443_;
+                    let _e298 = (_e254 == 2u);
+                    if _e298 {
+                        phi_449_ = _e292[2];
                     } else {
-                        phi_443_ = _e296;
+                        phi_449_ = _e297;
                     }
-                    let _e300 = phi_443_;
-                    let _e302 = ((_e300 * _e264) * _e270);
-                    let _e303 = global_4.member[_e139].member_2;
-                    if _e292 {
-                        phi_454_ = _e303[0];
+                    let _e301 = phi_449_;
+                    let _e303 = ((_e301 * _e265) * _e271);
+                    let _e304 = global_4.member[_e140].member_2;
+                    if _e293 {
+                        phi_460_ = _e304[0];
                     } else {
-                        phi_454_ = _e303[1];
+                        phi_460_ = _e304[1];
                     }
-                    let _e307 = phi_454_;
-                    if _e297 {
-                        phi_460_ = _e303[2];
+                    let _e308 = phi_460_;
+                    if _e298 {
+                        phi_466_ = _e304[2];
                     } else {
-                        phi_460_ = _e307;
+                        phi_466_ = _e308;
                     }
-                    let _e310 = phi_460_;
-                    let _e312 = ((_e310 * _e281) * _e287);
-                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e316 {
-                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_483_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                    let _e311 = phi_466_;
+                    let _e313 = ((_e311 * _e282) * _e288);
+                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e317 {
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
+                        phi_489_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_483_ = 0f;
+                        phi_489_ = 0f;
                     }
-                    let _e324 = phi_483_;
-                    let _e325 = (_e302 + _e324);
-                    let _e326 = (_e302 - _e324);
-                    let _e327 = select(_e312, 0f, _e316);
-                    if _e316 {
-                        phi_494_ = 38685626000000000000000000f;
+                    let _e325 = phi_489_;
+                    let _e326 = (_e303 + _e325);
+                    let _e327 = (_e303 - _e325);
+                    let _e328 = select(_e313, 0f, _e317);
+                    if _e317 {
+                        phi_500_ = 38685626000000000000000000f;
                     } else {
-                        phi_494_ = (1f / _e312);
+                        phi_500_ = (1f / _e313);
                     }
-                    let _e330 = phi_494_;
-                    let _e331 = (_e252 == 0u);
-                    if _e331 {
-                        phi_503_ = _e291[0];
+                    let _e331 = phi_500_;
+                    let _e332 = (_e253 == 0u);
+                    if _e332 {
+                        phi_509_ = _e292[0];
                     } else {
-                        phi_503_ = _e291[1];
+                        phi_509_ = _e292[1];
                     }
-                    let _e335 = phi_503_;
-                    let _e336 = (_e252 == 2u);
-                    if _e336 {
-                        phi_509_ = _e291[2];
+                    let _e336 = phi_509_;
+                    let _e337 = (_e253 == 2u);
+                    if _e337 {
+                        phi_515_ = _e292[2];
                     } else {
-                        phi_509_ = _e335;
+                        phi_515_ = _e336;
                     }
-                    let _e339 = phi_509_;
-                    let _e341 = ((_e339 * _e264) * _e270);
-                    if _e331 {
-                        phi_520_ = _e303[0];
+                    let _e340 = phi_515_;
+                    let _e342 = ((_e340 * _e265) * _e271);
+                    if _e332 {
+                        phi_526_ = _e304[0];
                     } else {
-                        phi_520_ = _e303[1];
+                        phi_526_ = _e304[1];
                     }
-                    let _e345 = phi_520_;
-                    if _e336 {
-                        phi_526_ = _e303[2];
+                    let _e346 = phi_526_;
+                    if _e337 {
+                        phi_532_ = _e304[2];
                     } else {
-                        phi_526_ = _e345;
+                        phi_532_ = _e346;
                     }
-                    let _e348 = phi_526_;
-                    let _e350 = ((_e348 * _e281) * _e287);
-                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e354 {
-                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_549_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                    let _e349 = phi_532_;
+                    let _e351 = ((_e349 * _e282) * _e288);
+                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e355 {
+                        let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
+                        phi_555_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
                     } else {
-                        phi_549_ = 0f;
+                        phi_555_ = 0f;
                     }
-                    let _e362 = phi_549_;
-                    let _e363 = (_e341 + _e362);
-                    let _e364 = (_e341 - _e362);
-                    let _e365 = select(_e350, 0f, _e354);
-                    if _e354 {
-                        phi_560_ = 38685626000000000000000000f;
+                    let _e363 = phi_555_;
+                    let _e364 = (_e342 + _e363);
+                    let _e365 = (_e342 - _e363);
+                    let _e366 = select(_e351, 0f, _e355);
+                    if _e355 {
+                        phi_566_ = 38685626000000000000000000f;
                     } else {
-                        phi_560_ = (1f / _e350);
+                        phi_566_ = (1f / _e351);
                     }
-                    let _e368 = phi_560_;
-                    let _e369 = (_e254 == 0u);
-                    if _e369 {
-                        phi_569_ = _e291[0];
+                    let _e369 = phi_566_;
+                    let _e370 = (_e255 == 0u);
+                    if _e370 {
+                        phi_575_ = _e292[0];
                     } else {
-                        phi_569_ = _e291[1];
+                        phi_575_ = _e292[1];
                     }
-                    let _e373 = phi_569_;
-                    let _e374 = (_e254 == 2u);
-                    if _e374 {
-                        phi_575_ = _e291[2];
+                    let _e374 = phi_575_;
+                    let _e375 = (_e255 == 2u);
+                    if _e375 {
+                        phi_581_ = _e292[2];
                     } else {
-                        phi_575_ = _e373;
+                        phi_581_ = _e374;
                     }
-                    let _e377 = phi_575_;
-                    let _e379 = ((_e377 * _e264) * _e270);
-                    if _e369 {
-                        phi_586_ = _e303[0];
+                    let _e378 = phi_581_;
+                    let _e380 = ((_e378 * _e265) * _e271);
+                    if _e370 {
+                        phi_592_ = _e304[0];
                     } else {
-                        phi_586_ = _e303[1];
+                        phi_592_ = _e304[1];
                     }
-                    let _e383 = phi_586_;
-                    if _e374 {
-                        phi_592_ = _e303[2];
+                    let _e384 = phi_592_;
+                    if _e375 {
+                        phi_598_ = _e304[2];
                     } else {
-                        phi_592_ = _e383;
+                        phi_598_ = _e384;
                     }
-                    let _e386 = phi_592_;
-                    let _e388 = ((_e386 * _e281) * _e287);
-                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e392 {
-                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_615_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
+                    let _e387 = phi_598_;
+                    let _e389 = ((_e387 * _e282) * _e288);
+                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e393 {
+                        let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
+                        phi_621_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                     } else {
-                        phi_615_ = 0f;
+                        phi_621_ = 0f;
                     }
-                    let _e400 = phi_615_;
-                    let _e401 = (_e379 + _e400);
-                    let _e402 = (_e379 - _e400);
-                    let _e403 = select(_e388, 0f, _e392);
-                    if _e392 {
-                        phi_626_ = 38685626000000000000000000f;
+                    let _e401 = phi_621_;
+                    let _e402 = (_e380 + _e401);
+                    let _e403 = (_e380 - _e401);
+                    let _e404 = select(_e389, 0f, _e393);
+                    if _e393 {
+                        phi_632_ = 38685626000000000000000000f;
                     } else {
-                        phi_626_ = (1f / _e388);
+                        phi_632_ = (1f / _e389);
                     }
-                    let _e406 = phi_626_;
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
-                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
-                    let _e414 = select(_e412, _e409, (_e409 > _e412));
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e420 = (_e121 + _e234);
-                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
-                        let _e423 = (_e420 / 3i);
-                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
-                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
-                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_726_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_727_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
+                    let _e407 = phi_632_;
+                    let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
+                    let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
+                    let _e415 = select(_e413, _e410, (_e410 > _e413));
+                    let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
+                    let _e421 = (_e122 + _e235);
+                    if (_e216 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
+                        let _e424 = (_e421 / 3i);
+                        let _e431 = bitcast<f32>((bitcast<u32>((_e424 + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = bitcast<f32>((bitcast<u32>(((_e421 - (2i * _e424)) + 127i)) << bitcast<u32>(23i)));
+                        let _e439 = (((_e201 * _e431) * _e431) * _e438);
+                        let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
+                        let _e446 = (((_e210 * _e431) * _e431) * _e438);
+                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
+                        phi_732_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                        phi_733_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_726_ = 0f;
-                        phi_727_ = 1f;
+                        phi_732_ = 0f;
+                        phi_733_ = 1f;
                     }
-                    let _e451 = phi_726_;
-                    let _e453 = phi_727_;
+                    let _e452 = phi_732_;
+                    let _e454 = phi_733_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -476,808 +493,916 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e457 = (_e253 % 3u);
-                    let _e458 = (_e457 < 3u);
-                    if _e458 {
+                    let _e458 = (_e254 % 3u);
+                    let _e459 = (_e458 < 3u);
+                    if _e459 {
                     } else {
                         break;
                     }
-                    let _e460 = local_1[_e457];
-                    let _e463 = (_e252 % 3u);
-                    let _e464 = (_e463 < 3u);
-                    if _e464 {
+                    let _e461 = local_1[_e458];
+                    let _e464 = (_e253 % 3u);
+                    let _e465 = (_e464 < 3u);
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e466 = local_1[_e463];
-                    let _e469 = (_e254 % 3u);
-                    let _e470 = (_e469 < 3u);
-                    if _e470 {
+                    let _e467 = local_1[_e464];
+                    let _e470 = (_e255 % 3u);
+                    let _e471 = (_e470 < 3u);
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e472 = local_1[_e469];
-                    if _e458 {
+                    let _e473 = local_1[_e470];
+                    if _e459 {
                     } else {
                         break;
                     }
-                    let _e477 = local[_e457];
-                    if _e464 {
+                    let _e478 = local[_e458];
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e481 = local[_e463];
-                    if _e470 {
+                    let _e482 = local[_e464];
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e485 = local[_e469];
-                    phi_3111_ = false;
-                    phi_816_ = type_38(_e451, false);
-                    phi_819_ = type_49(type_28(vec4<f32>((f32(_e460) * _e133), (f32(_e466) * _e133), (f32(_e472) * _e133), 0f), vec4<f32>((f32(_e477) * _e133), (f32(_e481) * _e133), (f32(_e485) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
-                    phi_821_ = ((3u * _e83) + 1u);
-                    phi_823_ = (_e453 <= _e451);
-                    phi_825_ = 0u;
+                    let _e486 = local[_e470];
+                    phi_3384_ = false;
+                    phi_822_ = type_38(_e452, false);
+                    phi_825_ = type_49(type_28(vec4<f32>((f32(_e461) * _e134), (f32(_e467) * _e134), (f32(_e473) * _e134), 0f), vec4<f32>((f32(_e478) * _e134), (f32(_e482) * _e134), (f32(_e486) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
+                    phi_827_ = ((3u * _e84) + 1u);
+                    phi_829_ = (_e454 <= _e452);
+                    phi_831_ = 0u;
                     loop {
-                        let _e495 = phi_3111_;
-                        let _e497 = phi_816_;
-                        let _e499 = phi_819_;
-                        let _e501 = phi_821_;
-                        let _e503 = phi_823_;
-                        let _e505 = phi_825_;
-                        local_11 = _e497;
-                        if _e503 {
-                            phi_836_ = true;
+                        let _e496 = phi_3384_;
+                        let _e498 = phi_822_;
+                        let _e500 = phi_825_;
+                        let _e502 = phi_827_;
+                        let _e504 = phi_829_;
+                        let _e506 = phi_831_;
+                        local_11 = _e498;
+                        if _e504 {
+                            phi_842_ = true;
                         } else {
-                            phi_836_ = (_e505 > 0u);
+                            phi_842_ = (_e506 > 0u);
                         }
-                        let _e508 = phi_836_;
-                        if _e508 {
-                            let _e509 = (_e501 > 0u);
-                            if _e509 {
-                                if _e503 {
-                                    phi_922_ = _e499;
-                                    phi_923_ = _e503;
-                                    phi_924_ = _e505;
+                        let _e509 = phi_842_;
+                        if _e509 {
+                            let _e510 = (_e502 > 0u);
+                            if _e510 {
+                                if _e504 {
+                                    phi_928_ = _e500;
+                                    phi_929_ = _e504;
+                                    phi_930_ = _e506;
                                 } else {
-                                    let _e510 = (_e505 - 1u);
-                                    let _e511 = (_e510 % 128u);
-                                    let _e512 = (_e511 < 128u);
-                                    if _e512 {
+                                    let _e511 = (_e506 - 1u);
+                                    let _e512 = (_e511 % 128u);
+                                    let _e513 = (_e512 < 128u);
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e514 = local_7[_e511];
-                                    if _e512 {
+                                    let _e515 = local_7[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e516 = local_6[_e511];
-                                    if _e512 {
+                                    let _e517 = local_6[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e518 = local_5[_e511];
-                                    if _e512 {
+                                    let _e519 = local_5[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e520 = local_4[_e511];
-                                    if _e512 {
+                                    let _e521 = local_4[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e522 = local_3[_e511];
-                                    if _e512 {
+                                    let _e523 = local_3[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e524 = local_2[_e511];
-                                    if _e512 {
+                                    let _e525 = local_2[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e529 = local_8[_e511];
-                                    if _e512 {
+                                    let _e530 = local_8[_e512];
+                                    if _e513 {
                                     } else {
-                                        phi_3216_ = true;
+                                        phi_3517_ = true;
                                         break;
                                     }
-                                    let _e532 = local_9[_e511];
-                                    phi_922_ = type_49(type_28(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
-                                    phi_923_ = (_e532 <= _e497.member);
-                                    phi_924_ = _e510;
+                                    let _e533 = local_9[_e512];
+                                    phi_928_ = type_49(type_28(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
+                                    phi_929_ = (_e533 <= _e498.member);
+                                    phi_930_ = _e511;
                                 }
-                                let _e536 = phi_922_;
-                                let _e538 = phi_923_;
-                                let _e540 = phi_924_;
-                                if _e538 {
-                                    if ((_e536.member_1 & 2147483648u) != 0u) {
-                                        phi_942_ = _e497;
-                                        phi_945_ = type_7(0u, ((_e536.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e537 = phi_928_;
+                                let _e539 = phi_929_;
+                                let _e541 = phi_930_;
+                                if _e539 {
+                                    if ((_e537.member_1 & 2147483648u) != 0u) {
+                                        phi_948_ = _e498;
+                                        phi_951_ = type_7(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1002 = phi_942_;
-                                            let _e1004 = phi_945_;
-                                            local_10 = _e1002;
-                                            local_12 = _e1002;
-                                            if (_e1004.member < _e1004.member_1) {
-                                                phi_946_ = type_7((_e1004.member + 1u), _e1004.member_1);
-                                                phi_968_ = type_7(1u, _e1004.member);
+                                            let _e1003 = phi_948_;
+                                            let _e1005 = phi_951_;
+                                            local_10 = _e1003;
+                                            local_12 = _e1003;
+                                            if (_e1005.member < _e1005.member_1) {
+                                                phi_952_ = type_7((_e1005.member + 1u), _e1005.member_1);
+                                                phi_974_ = type_7(1u, _e1005.member);
                                             } else {
-                                                phi_946_ = _e1004;
-                                                phi_968_ = type_7(0u, type_7().member_1);
+                                                phi_952_ = _e1005;
+                                                phi_974_ = type_7(0u, type_7().member_1);
                                             }
-                                            let _e1017 = phi_946_;
-                                            let _e1019 = phi_968_;
-                                            let _e1023 = (bitcast<i32>(_e1019.member) != 0i);
-                                            if _e1023 {
-                                                let _e1024 = ((_e536.member_1 & 268435455u) + _e1019.member_1);
-                                                let _e1025 = (_e1024 < _e85);
-                                                if _e1025 {
-                                                    if _e1025 {
+                                            let _e1018 = phi_952_;
+                                            let _e1020 = phi_974_;
+                                            let _e1024 = (bitcast<i32>(_e1020.member) != 0i);
+                                            if _e1024 {
+                                                let _e1025 = ((_e537.member_1 & 268435455u) + _e1020.member_1);
+                                                let _e1026 = (_e1025 < _e86);
+                                                if _e1026 {
+                                                    if _e1026 {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1029 = global_2.member[_e1024].member_1;
-                                                    phi_989_ = _e1029;
+                                                    let _e1030 = global_2.member[_e1025].member_1;
+                                                    phi_995_ = _e1030;
                                                 } else {
-                                                    phi_989_ = 4294967295u;
+                                                    phi_995_ = 4294967295u;
                                                 }
-                                                let _e1031 = phi_989_;
-                                                if (_e1024 >= _e85) {
-                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1032 = phi_995_;
+                                                if (_e1025 >= _e86) {
+                                                    phi_1084_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1025 {
+                                                    if _e1026 {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    if (_e457 < 9u) {
+                                                    if (_e458 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1038 = global_2.member[_e1024].member[_e457];
-                                                    if (_e463 < 9u) {
+                                                    let _e1039 = global_2.member[_e1025].member[_e458];
+                                                    if (_e464 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1044 = global_2.member[_e1024].member[_e463];
-                                                    if (_e469 < 9u) {
+                                                    let _e1045 = global_2.member[_e1025].member[_e464];
+                                                    if (_e470 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1050 = global_2.member[_e1024].member[_e469];
-                                                    let _e1052 = (3u + _e457);
-                                                    if (_e1052 < 9u) {
+                                                    let _e1051 = global_2.member[_e1025].member[_e470];
+                                                    let _e1053 = (3u + _e458);
+                                                    if (_e1053 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1058 = global_2.member[_e1024].member[_e1052];
-                                                    let _e1059 = (3u + _e463);
-                                                    if (_e1059 < 9u) {
+                                                    let _e1059 = global_2.member[_e1025].member[_e1053];
+                                                    let _e1060 = (3u + _e464);
+                                                    if (_e1060 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1065 = global_2.member[_e1024].member[_e1059];
-                                                    let _e1066 = (3u + _e469);
-                                                    if (_e1066 < 9u) {
+                                                    let _e1066 = global_2.member[_e1025].member[_e1060];
+                                                    let _e1067 = (3u + _e470);
+                                                    if (_e1067 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1072 = global_2.member[_e1024].member[_e1066];
-                                                    let _e1074 = (6u + _e457);
-                                                    if (_e1074 < 9u) {
+                                                    let _e1073 = global_2.member[_e1025].member[_e1067];
+                                                    let _e1075 = (6u + _e458);
+                                                    if (_e1075 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_2.member[_e1024].member[_e1074];
-                                                    let _e1081 = (6u + _e463);
-                                                    if (_e1081 < 9u) {
+                                                    let _e1081 = global_2.member[_e1025].member[_e1075];
+                                                    let _e1082 = (6u + _e464);
+                                                    if (_e1082 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1087 = global_2.member[_e1024].member[_e1081];
-                                                    let _e1088 = (6u + _e469);
-                                                    if (_e1088 < 9u) {
+                                                    let _e1088 = global_2.member[_e1025].member[_e1082];
+                                                    let _e1089 = (6u + _e470);
+                                                    if (_e1089 < 9u) {
                                                     } else {
-                                                        phi_3105_ = true;
+                                                        phi_3378_ = true;
                                                         break;
                                                     }
-                                                    let _e1094 = global_2.member[_e1024].member[_e1088];
-                                                    phi_1078_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1038, _e1044, _e1050), array<f32, 3>(_e1058, _e1065, _e1072), array<f32, 3>(_e1080, _e1087, _e1094));
+                                                    let _e1095 = global_2.member[_e1025].member[_e1089];
+                                                    phi_1084_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1039, _e1045, _e1051), array<f32, 3>(_e1059, _e1066, _e1073), array<f32, 3>(_e1081, _e1088, _e1095));
                                                 }
-                                                let _e1098 = phi_1078_;
-                                                let _e1106 = (_e1098[0][2] - _e379);
-                                                let _e1109 = (((_e1098[0][0] - _e302) * _e403) - (_e1106 * _e327));
-                                                let _e1112 = (((_e1098[0][1] - _e341) * _e403) - (_e1106 * _e365));
-                                                let _e1119 = (_e1098[1][2] - _e379);
-                                                let _e1122 = (((_e1098[1][0] - _e302) * _e403) - (_e1119 * _e327));
-                                                let _e1125 = (((_e1098[1][1] - _e341) * _e403) - (_e1119 * _e365));
-                                                let _e1132 = (_e1098[2][2] - _e379);
-                                                let _e1135 = (((_e1098[2][0] - _e302) * _e403) - (_e1132 * _e327));
-                                                let _e1138 = (((_e1098[2][1] - _e341) * _e403) - (_e1132 * _e365));
-                                                let _e1139 = (_e1135 * _e1125);
-                                                let _e1140 = (_e1138 * _e1122);
-                                                let _e1141 = (_e1109 * _e1138);
-                                                let _e1142 = (_e1112 * _e1135);
-                                                let _e1143 = (_e1122 * _e1112);
-                                                let _e1144 = (_e1125 * _e1109);
-                                                let _e1149 = (((_e1139 >= _e1140) && (_e1141 >= _e1142)) && (_e1143 >= _e1144));
-                                                if (_e1149 || (((_e1139 <= _e1140) && (_e1141 <= _e1142)) && (_e1143 <= _e1144))) {
-                                                    let _e1156 = select(-1f, 1f, _e1149);
-                                                    let _e1158 = ((_e1139 - _e1140) * _e1156);
-                                                    let _e1160 = select(0f, _e1158, (_e1158 > 0f));
-                                                    let _e1162 = ((_e1141 - _e1142) * _e1156);
-                                                    let _e1164 = select(0f, _e1162, (_e1162 > 0f));
-                                                    let _e1166 = ((_e1143 - _e1144) * _e1156);
-                                                    let _e1168 = select(0f, _e1166, (_e1166 > 0f));
-                                                    let _e1170 = ((_e1160 + _e1164) + _e1168);
-                                                    if (_e1170 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1644_ = type_24();
-                                                        phi_1645_ = true;
+                                                let _e1099 = phi_1084_;
+                                                let _e1107 = (_e1099[0][2] - _e380);
+                                                let _e1110 = (((_e1099[0][0] - _e303) * _e404) - (_e1107 * _e328));
+                                                let _e1113 = (((_e1099[0][1] - _e342) * _e404) - (_e1107 * _e366));
+                                                let _e1120 = (_e1099[1][2] - _e380);
+                                                let _e1123 = (((_e1099[1][0] - _e303) * _e404) - (_e1120 * _e328));
+                                                let _e1126 = (((_e1099[1][1] - _e342) * _e404) - (_e1120 * _e366));
+                                                let _e1133 = (_e1099[2][2] - _e380);
+                                                let _e1136 = (((_e1099[2][0] - _e303) * _e404) - (_e1133 * _e328));
+                                                let _e1139 = (((_e1099[2][1] - _e342) * _e404) - (_e1133 * _e366));
+                                                let _e1140 = (_e1136 * _e1126);
+                                                let _e1141 = (_e1139 * _e1123);
+                                                let _e1142 = (_e1110 * _e1139);
+                                                let _e1143 = (_e1113 * _e1136);
+                                                let _e1144 = (_e1123 * _e1113);
+                                                let _e1145 = (_e1126 * _e1110);
+                                                let _e1150 = (((_e1140 >= _e1141) && (_e1142 >= _e1143)) && (_e1144 >= _e1145));
+                                                if (_e1150 || (((_e1140 <= _e1141) && (_e1142 <= _e1143)) && (_e1144 <= _e1145))) {
+                                                    let _e1157 = select(-1f, 1f, _e1150);
+                                                    let _e1159 = ((_e1140 - _e1141) * _e1157);
+                                                    let _e1161 = select(0f, _e1159, (_e1159 > 0f));
+                                                    let _e1163 = ((_e1142 - _e1143) * _e1157);
+                                                    let _e1165 = select(0f, _e1163, (_e1163 > 0f));
+                                                    let _e1167 = ((_e1144 - _e1145) * _e1157);
+                                                    let _e1169 = select(0f, _e1167, (_e1167 > 0f));
+                                                    let _e1171 = ((_e1161 + _e1165) + _e1169);
+                                                    if (_e1171 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1912_ = type_24();
+                                                        phi_1913_ = true;
+                                                        phi_1914_ = false;
                                                     } else {
-                                                        let _e1173 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] < _e1098[1][0]));
-                                                        let _e1177 = select(_e1098[1][0], _e1098[0][0], (_e1098[0][0] > _e1098[1][0]));
-                                                        let _e1181 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] < _e1098[1][1]));
-                                                        let _e1185 = select(_e1098[1][1], _e1098[0][1], (_e1098[0][1] > _e1098[1][1]));
-                                                        let _e1189 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] < _e1098[1][2]));
-                                                        let _e1193 = select(_e1098[1][2], _e1098[0][2], (_e1098[0][2] > _e1098[1][2]));
-                                                        let _e1198 = ((select(_e1098[2][0], _e1173, (_e1173 < _e1098[2][0])) - _e325) * _e330);
-                                                        let _e1199 = ((select(_e1098[2][0], _e1177, (_e1177 > _e1098[2][0])) - _e326) * _e330);
-                                                        let _e1202 = ((select(_e1098[2][1], _e1181, (_e1181 < _e1098[2][1])) - _e363) * _e368);
-                                                        let _e1203 = ((select(_e1098[2][1], _e1185, (_e1185 > _e1098[2][1])) - _e364) * _e368);
-                                                        let _e1206 = ((select(_e1098[2][2], _e1189, (_e1189 < _e1098[2][2])) - _e401) * _e406);
-                                                        let _e1207 = ((select(_e1098[2][2], _e1193, (_e1193 > _e1098[2][2])) - _e402) * _e406);
-                                                        let _e1209 = select(_e1207, _e1206, (_e1206 < _e1207));
-                                                        let _e1211 = select(_e1207, _e1206, (_e1206 > _e1207));
-                                                        let _e1213 = select(_e1199, _e1198, (_e1198 < _e1199));
-                                                        let _e1215 = select(_e1203, _e1202, (_e1202 < _e1203));
-                                                        let _e1217 = select(_e1215, _e1213, (_e1213 > _e1215));
-                                                        let _e1219 = select(_e1209, _e1217, (_e1217 > _e1209));
-                                                        let _e1221 = select(_e1199, _e1198, (_e1198 > _e1199));
-                                                        let _e1223 = select(_e1203, _e1202, (_e1202 > _e1203));
-                                                        let _e1225 = select(_e1223, _e1221, (_e1221 < _e1223));
-                                                        let _e1227 = select(_e1211, _e1225, (_e1225 < _e1211));
-                                                        let _e1228 = -(_e1209);
-                                                        let _e1234 = select(_e453, _e1219, (_e1219 > _e453));
-                                                        if (_e1234 > (_e1227 + (select(_e1228, _e1211, (_e1211 > _e1228)) * 0.0000019073523f))) {
-                                                            phi_1639_ = type_24();
-                                                            phi_1640_ = true;
+                                                        let _e1174 = select(_e1123, _e1110, (_e1110 < _e1123));
+                                                        if (select(_e1136, _e1174, (_e1174 < _e1136)) > 0f) {
+                                                            phi_1201_ = true;
                                                         } else {
-                                                            let _e1236 = (_e1234 > _e1002.member);
-                                                            if _e1236 {
-                                                                phi_1638_ = type_24();
-                                                            } else {
-                                                                let _e1240 = (_e1098[1][0] - _e1098[0][0]);
-                                                                let _e1241 = (_e1098[1][1] - _e1098[0][1]);
-                                                                let _e1242 = (_e1098[1][2] - _e1098[0][2]);
-                                                                let _e1243 = vec3<f32>(_e1240, _e1241, _e1242);
-                                                                let _e1244 = (_e1098[2][0] - _e1098[1][0]);
-                                                                let _e1245 = (_e1098[2][1] - _e1098[1][1]);
-                                                                let _e1246 = (_e1098[2][2] - _e1098[1][2]);
-                                                                let _e1247 = vec3<f32>(_e1244, _e1245, _e1246);
-                                                                let _e1248 = (_e1098[0][0] - _e1098[2][0]);
-                                                                let _e1249 = (_e1098[0][1] - _e1098[2][1]);
-                                                                let _e1250 = (_e1098[0][2] - _e1098[2][2]);
-                                                                let _e1251 = vec3<f32>(_e1248, _e1249, _e1250);
-                                                                let _e1254 = bitcast<f32>((bitcast<u32>(_e1240) & 2147483647u));
-                                                                let _e1257 = bitcast<f32>((bitcast<u32>(_e1241) & 2147483647u));
-                                                                let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
-                                                                let _e1262 = bitcast<f32>((bitcast<u32>(_e1242) & 2147483647u));
-                                                                let _e1264 = select(_e1262, _e1259, (_e1259 > _e1262));
-                                                                let _e1267 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1245) & 2147483647u));
-                                                                let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
-                                                                let _e1275 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
-                                                                let _e1277 = select(_e1275, _e1272, (_e1272 > _e1275));
-                                                                let _e1280 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
-                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1249) & 2147483647u));
-                                                                let _e1285 = select(_e1283, _e1280, (_e1280 > _e1283));
-                                                                let _e1288 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                let _e1292 = select(_e1277, _e1264, (_e1264 > _e1277));
-                                                                let _e1294 = select(_e1290, _e1292, (_e1292 > _e1290));
-                                                                if (_e1264 == _e1294) {
-                                                                    phi_1549_ = _e1247;
-                                                                    phi_1550_ = _e1251;
-                                                                } else {
-                                                                    let _e1297 = vec3((_e1277 == _e1294));
-                                                                    phi_1549_ = select(_e1243, _e1251, _e1297);
-                                                                    phi_1550_ = select(_e1247, _e1243, _e1297);
-                                                                }
-                                                                let _e1301 = phi_1549_;
-                                                                let _e1303 = phi_1550_;
-                                                                let _e1310 = ((_e1301.y * _e1303.z) - (_e1303.y * _e1301.z));
-                                                                let _e1315 = ((_e1301.z * _e1303.x) - (_e1303.z * _e1301.x));
-                                                                let _e1318 = ((_e1301.x * _e1303.y) - (_e1303.x * _e1301.y));
-                                                                if (_e1160 >= _e1164) {
-                                                                    phi_1581_ = select(true, false, (_e1160 >= _e1168));
-                                                                } else {
-                                                                    phi_1581_ = true;
-                                                                }
-                                                                let _e1323 = phi_1581_;
-                                                                if _e1323 {
-                                                                    phi_1590_ = select(vec3<f32>(_e1098[2][0], _e1098[2][1], _e1098[2][2]), vec3<f32>(_e1098[1][0], _e1098[1][1], _e1098[1][2]), vec3((_e1164 >= _e1168)));
-                                                                } else {
-                                                                    phi_1590_ = vec3<f32>(_e1098[0][0], _e1098[0][1], _e1098[0][2]);
-                                                                }
-                                                                let _e1328 = phi_1590_;
-                                                                let _e1345 = ((((_e1310 * (_e1328.x - _e302)) + (_e1315 * (_e1328.y - _e341))) + (_e1318 * (_e1328.z - _e379))) / (((_e1310 * _e327) + (_e1315 * _e365)) + (_e1318 * _e403)));
-                                                                let _e1347 = select(_e1227, _e1345, (_e1345 < _e1227));
-                                                                let _e1349 = select(_e1219, _e1347, (_e1347 > _e1219));
-                                                                if (_e1349 >= _e453) {
-                                                                    let _e1351 = (_e1349 <= _e1002.member);
-                                                                    if _e1351 {
-                                                                        let _e1352 = (1f / _e1170);
-                                                                        phi_1630_ = type_24(_e1349, (_e1164 * _e1352), (_e1168 * _e1352), _e1031);
-                                                                    } else {
-                                                                        phi_1630_ = type_24();
-                                                                    }
-                                                                    let _e1357 = phi_1630_;
-                                                                    phi_1632_ = _e1357;
-                                                                    phi_1633_ = select(true, false, _e1351);
-                                                                } else {
-                                                                    phi_1632_ = type_24();
-                                                                    phi_1633_ = true;
-                                                                }
-                                                                let _e1360 = phi_1632_;
-                                                                let _e1362 = phi_1633_;
-                                                                if _e1362 {
-                                                                    phi_1637_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1637_ = _e1360;
-                                                                }
-                                                                let _e1364 = phi_1637_;
-                                                                phi_1638_ = _e1364;
-                                                            }
-                                                            let _e1366 = phi_1638_;
-                                                            phi_1639_ = _e1366;
-                                                            phi_1640_ = _e1236;
+                                                            let _e1179 = select(_e1123, _e1110, (_e1110 > _e1123));
+                                                            phi_1201_ = (select(_e1136, _e1179, (_e1179 > _e1136)) < 0f);
                                                         }
-                                                        let _e1368 = phi_1639_;
-                                                        let _e1370 = phi_1640_;
-                                                        phi_1644_ = _e1368;
-                                                        phi_1645_ = _e1370;
+                                                        let _e1184 = phi_1201_;
+                                                        if _e1184 {
+                                                            phi_1909_ = type_24();
+                                                            phi_1910_ = true;
+                                                            phi_1911_ = false;
+                                                        } else {
+                                                            let _e1186 = select(_e1126, _e1113, (_e1113 < _e1126));
+                                                            if (select(_e1139, _e1186, (_e1186 < _e1139)) > 0f) {
+                                                                phi_1230_ = true;
+                                                            } else {
+                                                                let _e1191 = select(_e1126, _e1113, (_e1113 > _e1126));
+                                                                phi_1230_ = (select(_e1139, _e1191, (_e1191 > _e1139)) < 0f);
+                                                            }
+                                                            let _e1196 = phi_1230_;
+                                                            if _e1196 {
+                                                                phi_1907_ = type_24();
+                                                                phi_1908_ = false;
+                                                            } else {
+                                                                let _e1198 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] < _e1099[1][0]));
+                                                                let _e1202 = select(_e1099[1][0], _e1099[0][0], (_e1099[0][0] > _e1099[1][0]));
+                                                                let _e1206 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] < _e1099[1][1]));
+                                                                let _e1210 = select(_e1099[1][1], _e1099[0][1], (_e1099[0][1] > _e1099[1][1]));
+                                                                let _e1214 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] < _e1099[1][2]));
+                                                                let _e1218 = select(_e1099[1][2], _e1099[0][2], (_e1099[0][2] > _e1099[1][2]));
+                                                                let _e1223 = ((select(_e1099[2][0], _e1198, (_e1198 < _e1099[2][0])) - _e326) * _e331);
+                                                                let _e1224 = ((select(_e1099[2][0], _e1202, (_e1202 > _e1099[2][0])) - _e327) * _e331);
+                                                                let _e1227 = ((select(_e1099[2][1], _e1206, (_e1206 < _e1099[2][1])) - _e364) * _e369);
+                                                                let _e1228 = ((select(_e1099[2][1], _e1210, (_e1210 > _e1099[2][1])) - _e365) * _e369);
+                                                                let _e1231 = ((select(_e1099[2][2], _e1214, (_e1214 < _e1099[2][2])) - _e402) * _e407);
+                                                                let _e1232 = ((select(_e1099[2][2], _e1218, (_e1218 > _e1099[2][2])) - _e403) * _e407);
+                                                                let _e1234 = select(_e1232, _e1231, (_e1231 < _e1232));
+                                                                let _e1236 = select(_e1232, _e1231, (_e1231 > _e1232));
+                                                                let _e1238 = select(_e1224, _e1223, (_e1223 < _e1224));
+                                                                let _e1240 = select(_e1228, _e1227, (_e1227 < _e1228));
+                                                                let _e1242 = select(_e1240, _e1238, (_e1238 > _e1240));
+                                                                let _e1244 = select(_e1234, _e1242, (_e1242 > _e1234));
+                                                                let _e1246 = select(_e1224, _e1223, (_e1223 > _e1224));
+                                                                let _e1248 = select(_e1228, _e1227, (_e1227 > _e1228));
+                                                                let _e1250 = select(_e1248, _e1246, (_e1246 < _e1248));
+                                                                let _e1252 = select(_e1236, _e1250, (_e1250 < _e1236));
+                                                                let _e1253 = -(_e1234);
+                                                                let _e1259 = select(_e454, _e1244, (_e1244 > _e454));
+                                                                if (_e1259 > (_e1252 + (select(_e1253, _e1236, (_e1236 > _e1253)) * 0.0000019073523f))) {
+                                                                    phi_1902_ = type_24();
+                                                                    phi_1903_ = true;
+                                                                } else {
+                                                                    let _e1261 = (_e1259 > _e1003.member);
+                                                                    if _e1261 {
+                                                                        phi_1901_ = type_24();
+                                                                    } else {
+                                                                        let _e1262 = vec3<f32>(_e1099[0][0], _e1099[0][1], _e1099[0][2]);
+                                                                        let _e1263 = vec3<f32>(_e1099[1][0], _e1099[1][1], _e1099[1][2]);
+                                                                        let _e1264 = vec3<f32>(_e1099[2][0], _e1099[2][1], _e1099[2][2]);
+                                                                        let _e1265 = (_e1099[1][0] - _e1099[0][0]);
+                                                                        let _e1266 = (_e1099[1][1] - _e1099[0][1]);
+                                                                        let _e1267 = (_e1099[1][2] - _e1099[0][2]);
+                                                                        let _e1268 = vec3<f32>(_e1265, _e1266, _e1267);
+                                                                        let _e1269 = (_e1099[2][0] - _e1099[1][0]);
+                                                                        let _e1270 = (_e1099[2][1] - _e1099[1][1]);
+                                                                        let _e1271 = (_e1099[2][2] - _e1099[1][2]);
+                                                                        let _e1272 = vec3<f32>(_e1269, _e1270, _e1271);
+                                                                        let _e1273 = (_e1099[0][0] - _e1099[2][0]);
+                                                                        let _e1274 = (_e1099[0][1] - _e1099[2][1]);
+                                                                        let _e1275 = (_e1099[0][2] - _e1099[2][2]);
+                                                                        let _e1276 = vec3<f32>(_e1273, _e1274, _e1275);
+                                                                        let _e1279 = bitcast<f32>((bitcast<u32>(_e1265) & 2147483647u));
+                                                                        let _e1282 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
+                                                                        let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
+                                                                        let _e1287 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+                                                                        let _e1289 = select(_e1287, _e1284, (_e1284 > _e1287));
+                                                                        let _e1292 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
+                                                                        let _e1295 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
+                                                                        let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
+                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
+                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
+                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
+                                                                        let _e1308 = bitcast<f32>((bitcast<u32>(_e1274) & 2147483647u));
+                                                                        let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
+                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                        let _e1315 = select(_e1313, _e1310, (_e1310 > _e1313));
+                                                                        let _e1317 = select(_e1302, _e1289, (_e1289 > _e1302));
+                                                                        let _e1319 = select(_e1315, _e1317, (_e1317 > _e1315));
+                                                                        if (_e1289 == _e1319) {
+                                                                            phi_1631_ = _e1126;
+                                                                            phi_1632_ = _e1123;
+                                                                            phi_1633_ = _e1113;
+                                                                            phi_1634_ = _e1110;
+                                                                            phi_1635_ = _e1262;
+                                                                            phi_1636_ = _e1276;
+                                                                            phi_1637_ = _e1272;
+                                                                            phi_1638_ = _e1268;
+                                                                        } else {
+                                                                            let _e1321 = (_e1302 == _e1319);
+                                                                            let _e1326 = vec3(_e1321);
+                                                                            phi_1631_ = select(_e1113, _e1139, _e1321);
+                                                                            phi_1632_ = select(_e1110, _e1136, _e1321);
+                                                                            phi_1633_ = select(_e1139, _e1126, _e1321);
+                                                                            phi_1634_ = select(_e1136, _e1123, _e1321);
+                                                                            phi_1635_ = select(_e1264, _e1263, _e1326);
+                                                                            phi_1636_ = select(_e1272, _e1268, _e1326);
+                                                                            phi_1637_ = select(_e1268, _e1276, _e1326);
+                                                                            phi_1638_ = select(_e1276, _e1272, _e1326);
+                                                                        }
+                                                                        let _e1332 = phi_1631_;
+                                                                        let _e1334 = phi_1632_;
+                                                                        let _e1336 = phi_1633_;
+                                                                        let _e1338 = phi_1634_;
+                                                                        let _e1340 = phi_1635_;
+                                                                        let _e1342 = phi_1636_;
+                                                                        let _e1344 = phi_1637_;
+                                                                        let _e1346 = phi_1638_;
+                                                                        let _e1353 = ((_e1344.y * _e1342.z) - (_e1342.y * _e1344.z));
+                                                                        let _e1358 = ((_e1344.z * _e1342.x) - (_e1342.z * _e1344.x));
+                                                                        let _e1361 = ((_e1344.x * _e1342.y) - (_e1342.x * _e1344.y));
+                                                                        if (_e1161 >= _e1165) {
+                                                                            phi_1669_ = select(true, false, (_e1161 >= _e1169));
+                                                                        } else {
+                                                                            phi_1669_ = true;
+                                                                        }
+                                                                        let _e1366 = phi_1669_;
+                                                                        if _e1366 {
+                                                                            phi_1678_ = select(_e1264, _e1263, vec3((_e1165 >= _e1169)));
+                                                                        } else {
+                                                                            phi_1678_ = _e1262;
+                                                                        }
+                                                                        let _e1371 = phi_1678_;
+                                                                        let _e1376 = (((_e1353 * _e328) + (_e1358 * _e366)) + (_e1361 * _e404));
+                                                                        let _e1387 = (((_e1353 * (_e1371.x - _e303)) + (_e1358 * (_e1371.y - _e342))) + (_e1361 * (_e1371.z - _e380)));
+                                                                        let _e1389 = (_e1334 - _e1338);
+                                                                        let _e1390 = (_e1332 - _e1336);
+                                                                        let _e1398 = (-(((_e1338 * _e1389) + (_e1336 * _e1390))) / ((_e1389 * _e1389) + (_e1390 * _e1390)));
+                                                                        let _e1400 = select(1f, _e1398, (_e1398 < 1f));
+                                                                        let _e1402 = select(0f, _e1400, (_e1400 > 0f));
+                                                                        let _e1415 = ((_e1340.x + (_e1346.x * _e1402)) - _e303);
+                                                                        let _e1416 = ((_e1340.y + (_e1346.y * _e1402)) - _e342);
+                                                                        let _e1417 = ((_e1340.z + (_e1346.z * _e1402)) - _e380);
+                                                                        let _e1418 = (_e1417 / _e404);
+                                                                        let _e1430 = bitcast<f32>((bitcast<u32>(_e1415) & 2147483647u));
+                                                                        let _e1433 = bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u));
+                                                                        let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
+                                                                        let _e1438 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                                        let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1353) & 2147483647u));
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
+                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1361) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1353 * _e1415) + (_e1358 * _e1416)) + (_e1361 * _e1417)) - _e1387)) & 2147483647u)) <= ((0.0000009536743f * select(_e1319, _e1440, (_e1440 > _e1319))) * select(_e1454, _e1451, (_e1451 > _e1454)))) {
+                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1344.x) & 2147483647u));
+                                                                            let _e1467 = bitcast<f32>((bitcast<u32>(_e1344.y) & 2147483647u));
+                                                                            let _e1469 = select(_e1467, _e1464, (_e1464 > _e1467));
+                                                                            let _e1472 = bitcast<f32>((bitcast<u32>(_e1344.z) & 2147483647u));
+                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1342.x) & 2147483647u));
+                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1342.y) & 2147483647u));
+                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1342.z) & 2147483647u));
+                                                                            phi_1845_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1376) & 2147483647u)) > ((0.0000038146973f * select(_e1472, _e1469, (_e1469 > _e1472))) * select(_e1486, _e1483, (_e1483 > _e1486)))));
+                                                                        } else {
+                                                                            phi_1845_ = true;
+                                                                        }
+                                                                        let _e1493 = phi_1845_;
+                                                                        if _e1493 {
+                                                                            let _e1504 = ((((_e1353 * (_e1415 - (_e328 * _e1418))) + (_e1358 * (_e1416 - (_e366 * _e1418)))) + (_e1361 * (_e1417 - _e1417))) / _e1376);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1504) & 2147483647u)) <= _e1319) {
+                                                                                phi_1869_ = (_e1418 + _e1504);
+                                                                            } else {
+                                                                                phi_1869_ = _e1418;
+                                                                            }
+                                                                            let _e1511 = phi_1869_;
+                                                                            phi_1870_ = _e1511;
+                                                                        } else {
+                                                                            phi_1870_ = (_e1387 / _e1376);
+                                                                        }
+                                                                        let _e1513 = phi_1870_;
+                                                                        let _e1515 = select(_e1252, _e1513, (_e1513 < _e1252));
+                                                                        let _e1517 = select(_e1244, _e1515, (_e1515 > _e1244));
+                                                                        if (_e1517 >= _e454) {
+                                                                            let _e1519 = (_e1517 <= _e1003.member);
+                                                                            if _e1519 {
+                                                                                let _e1520 = (1f / _e1171);
+                                                                                phi_1893_ = type_24(_e1517, (_e1165 * _e1520), (_e1169 * _e1520), _e1032);
+                                                                            } else {
+                                                                                phi_1893_ = type_24();
+                                                                            }
+                                                                            let _e1525 = phi_1893_;
+                                                                            phi_1895_ = _e1525;
+                                                                            phi_1896_ = select(true, false, _e1519);
+                                                                        } else {
+                                                                            phi_1895_ = type_24();
+                                                                            phi_1896_ = true;
+                                                                        }
+                                                                        let _e1528 = phi_1895_;
+                                                                        let _e1530 = phi_1896_;
+                                                                        if _e1530 {
+                                                                            phi_1900_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1900_ = _e1528;
+                                                                        }
+                                                                        let _e1532 = phi_1900_;
+                                                                        phi_1901_ = _e1532;
+                                                                    }
+                                                                    let _e1534 = phi_1901_;
+                                                                    phi_1902_ = _e1534;
+                                                                    phi_1903_ = _e1261;
+                                                                }
+                                                                let _e1536 = phi_1902_;
+                                                                let _e1538 = phi_1903_;
+                                                                phi_1907_ = _e1536;
+                                                                phi_1908_ = _e1538;
+                                                            }
+                                                            let _e1540 = phi_1907_;
+                                                            let _e1542 = phi_1908_;
+                                                            phi_1909_ = _e1540;
+                                                            phi_1910_ = _e1196;
+                                                            phi_1911_ = _e1542;
+                                                        }
+                                                        let _e1544 = phi_1909_;
+                                                        let _e1546 = phi_1910_;
+                                                        let _e1548 = phi_1911_;
+                                                        phi_1912_ = _e1544;
+                                                        phi_1913_ = _e1546;
+                                                        phi_1914_ = _e1548;
                                                     }
-                                                    let _e1372 = phi_1644_;
-                                                    let _e1374 = phi_1645_;
-                                                    phi_1649_ = _e1372;
-                                                    phi_1650_ = _e1374;
+                                                    let _e1550 = phi_1912_;
+                                                    let _e1552 = phi_1913_;
+                                                    let _e1554 = phi_1914_;
+                                                    phi_1922_ = _e1550;
+                                                    phi_1923_ = select(_e1554, true, _e1552);
                                                 } else {
-                                                    phi_1649_ = type_24();
-                                                    phi_1650_ = true;
+                                                    phi_1922_ = type_24();
+                                                    phi_1923_ = true;
                                                 }
-                                                let _e1376 = phi_1649_;
-                                                let _e1378 = phi_1650_;
-                                                if _e1378 {
-                                                    phi_1654_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1557 = phi_1922_;
+                                                let _e1559 = phi_1923_;
+                                                if _e1559 {
+                                                    phi_1927_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1654_ = _e1376;
+                                                    phi_1927_ = _e1557;
                                                 }
-                                                let _e1380 = phi_1654_;
-                                                if (_e1380.member_3 != 4294967295u) {
-                                                    if (_e1031 != 4294967295u) {
-                                                        phi_1665_ = type_38(_e1002.member, true);
+                                                let _e1561 = phi_1927_;
+                                                if (_e1561.member_3 != 4294967295u) {
+                                                    if (_e1032 != 4294967295u) {
+                                                        phi_1938_ = type_38(_e1003.member, true);
                                                     } else {
-                                                        phi_1665_ = _e1002;
+                                                        phi_1938_ = _e1003;
                                                     }
-                                                    let _e1388 = phi_1665_;
-                                                    phi_1666_ = _e1388;
+                                                    let _e1569 = phi_1938_;
+                                                    phi_1939_ = _e1569;
                                                 } else {
-                                                    phi_1666_ = _e1002;
+                                                    phi_1939_ = _e1003;
                                                 }
-                                                let _e1390 = phi_1666_;
-                                                phi_943_ = _e1390;
+                                                let _e1571 = phi_1939_;
+                                                phi_949_ = _e1571;
                                             } else {
-                                                phi_943_ = type_38();
+                                                phi_949_ = type_38();
                                             }
-                                            let _e1392 = phi_943_;
+                                            let _e1573 = phi_949_;
                                             continue;
                                             continuing {
-                                                phi_942_ = _e1392;
-                                                phi_945_ = _e1017;
-                                                phi_3105_ = _e495;
-                                                break if !(_e1023);
+                                                phi_948_ = _e1573;
+                                                phi_951_ = _e1018;
+                                                phi_3378_ = _e496;
+                                                break if !(_e1024);
                                             }
                                         }
-                                        let _e1395 = phi_3105_;
-                                        phi_3216_ = _e1395;
-                                        if _e1395 {
+                                        let _e1576 = phi_3378_;
+                                        phi_3517_ = _e1576;
+                                        if _e1576 {
                                             break;
                                         }
-                                        let _e1397 = local_10;
-                                        phi_3220_ = _e1395;
-                                        let _e1544 = local_12;
-                                        phi_2872_ = _e1544;
-                                        phi_2873_ = _e536;
-                                        phi_2874_ = false;
-                                        phi_2875_ = select(_e540, 0u, _e1397.member_1);
+                                        let _e1578 = local_10;
+                                        phi_3521_ = _e1576;
+                                        let _e1742 = local_12;
+                                        phi_3145_ = _e1742;
+                                        phi_3146_ = _e537;
+                                        phi_3147_ = false;
+                                        phi_3148_ = select(_e541, 0u, _e1578.member_1);
                                     } else {
-                                        if (_e536.member_1 >= _e83) {
-                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e537.member_1 >= _e84) {
+                                            phi_2701_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e536.member_1 < _e83) {
+                                            if (_e537.member_1 < _e84) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e551 = (_e253 * 2u);
-                                            let _e553 = ((1u + _e551) % 7u);
-                                            if (_e553 < 7u) {
+                                            let _e552 = (_e254 * 2u);
+                                            let _e554 = ((1u + _e552) % 7u);
+                                            if (_e554 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e558 = global_6.member[_e536.member_1][_e553];
-                                            let _e560 = ((_e551 + 2u) % 7u);
-                                            if (_e560 < 7u) {
+                                            let _e559 = global_6.member[_e537.member_1][_e554];
+                                            let _e561 = ((_e552 + 2u) % 7u);
+                                            if (_e561 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e565 = global_6.member[_e536.member_1][_e560];
-                                            let _e566 = (_e252 * 2u);
-                                            let _e568 = ((1u + _e566) % 7u);
-                                            if (_e568 < 7u) {
+                                            let _e566 = global_6.member[_e537.member_1][_e561];
+                                            let _e567 = (_e253 * 2u);
+                                            let _e569 = ((1u + _e567) % 7u);
+                                            if (_e569 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e573 = global_6.member[_e536.member_1][_e568];
-                                            let _e575 = ((_e566 + 2u) % 7u);
-                                            if (_e575 < 7u) {
+                                            let _e574 = global_6.member[_e537.member_1][_e569];
+                                            let _e576 = ((_e567 + 2u) % 7u);
+                                            if (_e576 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e580 = global_6.member[_e536.member_1][_e575];
-                                            let _e581 = (_e254 * 2u);
-                                            let _e583 = ((1u + _e581) % 7u);
-                                            if (_e583 < 7u) {
+                                            let _e581 = global_6.member[_e537.member_1][_e576];
+                                            let _e582 = (_e255 * 2u);
+                                            let _e584 = ((1u + _e582) % 7u);
+                                            if (_e584 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e588 = global_6.member[_e536.member_1][_e583];
-                                            let _e590 = ((_e581 + 2u) % 7u);
-                                            if (_e590 < 7u) {
+                                            let _e589 = global_6.member[_e537.member_1][_e584];
+                                            let _e591 = ((_e582 + 2u) % 7u);
+                                            if (_e591 < 7u) {
                                             } else {
-                                                phi_3216_ = true;
+                                                phi_3517_ = true;
                                                 break;
                                             }
-                                            let _e595 = global_6.member[_e536.member_1][_e590];
-                                            let _e618 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.x - _e536.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.y - _e536.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e536.member.member_1.z - _e536.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = select(_e133, _e618, (_e618 > _e133));
-                                            let _e624 = select(_e133, _e619, (_e619 > _e133));
-                                            let _e626 = select(_e133, _e620, (_e620 > _e133));
-                                            let _e651 = bitcast<u32>((f32(bitcast<i32>((_e558 & 2097151u))) * _e622));
-                                            let _e656 = (bitcast<i32>((_e558 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e659 = bitcast<f32>((_e651 & bitcast<u32>(_e656)));
-                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e624));
-                                            let _e665 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
-                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e626));
-                                            let _e674 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
-                                            let _e681 = bitcast<f32>((_e651 & bitcast<u32>(~(_e656))));
-                                            let _e685 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
-                                            let _e689 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
-                                            let _e690 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e622));
-                                            let _e695 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e698 = bitcast<f32>((_e690 & bitcast<u32>(_e695)));
-                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e624));
-                                            let _e704 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
-                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e626));
-                                            let _e713 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
-                                            let _e720 = bitcast<f32>((_e690 & bitcast<u32>(~(_e695))));
-                                            let _e724 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
-                                            let _e728 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
-                                            let _e758 = global_6.member[_e536.member_1][0u];
-                                            let _e762 = global_6.member[_e536.member_1][2u];
-                                            let _e766 = global_6.member[_e536.member_1][4u];
-                                            let _e770 = global_6.member[_e536.member_1][6u];
-                                            let _e782 = (((_e762 >> bitcast<u32>(22i)) | ((_e766 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e770 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e783 = (_e758 & 268435455u);
-                                            let _e784 = (_e782 & 268435455u);
-                                            let _e787 = ((_e758 >> bitcast<u32>(28u)) & 7u);
-                                            let _e795 = ((_e758 >> bitcast<u32>(31i)) | (((_e782 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e796 = (_e787 != 0u);
-                                            if (_e787 == 0u) {
-                                                phi_2390_ = _e783;
+                                            let _e596 = global_6.member[_e537.member_1][_e591];
+                                            let _e619 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e623 = select(_e134, _e619, (_e619 > _e134));
+                                            let _e625 = select(_e134, _e620, (_e620 > _e134));
+                                            let _e627 = select(_e134, _e621, (_e621 > _e134));
+                                            let _e652 = bitcast<u32>((f32(bitcast<i32>((_e559 & 2097151u))) * _e623));
+                                            let _e657 = (bitcast<i32>((_e559 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e660 = bitcast<f32>((_e652 & bitcast<u32>(_e657)));
+                                            let _e661 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e625));
+                                            let _e666 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e669 = bitcast<f32>((_e661 & bitcast<u32>(_e666)));
+                                            let _e670 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e627));
+                                            let _e675 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e678 = bitcast<f32>((_e670 & bitcast<u32>(_e675)));
+                                            let _e682 = bitcast<f32>((_e652 & bitcast<u32>(~(_e657))));
+                                            let _e686 = bitcast<f32>((_e661 & bitcast<u32>(~(_e666))));
+                                            let _e690 = bitcast<f32>((_e670 & bitcast<u32>(~(_e675))));
+                                            let _e691 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e623));
+                                            let _e696 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e699 = bitcast<f32>((_e691 & bitcast<u32>(_e696)));
+                                            let _e700 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e625));
+                                            let _e705 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e708 = bitcast<f32>((_e700 & bitcast<u32>(_e705)));
+                                            let _e709 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e627));
+                                            let _e714 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e717 = bitcast<f32>((_e709 & bitcast<u32>(_e714)));
+                                            let _e721 = bitcast<f32>((_e691 & bitcast<u32>(~(_e696))));
+                                            let _e725 = bitcast<f32>((_e700 & bitcast<u32>(~(_e705))));
+                                            let _e729 = bitcast<f32>((_e709 & bitcast<u32>(~(_e714))));
+                                            let _e759 = global_6.member[_e537.member_1][0u];
+                                            let _e763 = global_6.member[_e537.member_1][2u];
+                                            let _e767 = global_6.member[_e537.member_1][4u];
+                                            let _e771 = global_6.member[_e537.member_1][6u];
+                                            let _e783 = (((_e763 >> bitcast<u32>(22i)) | ((_e767 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e771 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e784 = (_e759 & 268435455u);
+                                            let _e785 = (_e783 & 268435455u);
+                                            let _e788 = ((_e759 >> bitcast<u32>(28u)) & 7u);
+                                            let _e796 = ((_e759 >> bitcast<u32>(31i)) | (((_e783 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e797 = (_e788 != 0u);
+                                            if (_e788 == 0u) {
+                                                phi_2663_ = _e784;
                                             } else {
-                                                if (_e787 == 7u) {
-                                                    phi_2389_ = 2147483648u;
+                                                if (_e788 == 7u) {
+                                                    phi_2662_ = 2147483648u;
                                                 } else {
-                                                    phi_2389_ = ((2147483648u | (_e787 << bitcast<u32>(28u))) | (_e784 & 268435455u));
+                                                    phi_2662_ = ((2147483648u | (_e788 << bitcast<u32>(28u))) | (_e785 & 268435455u));
                                                 }
-                                                let _e805 = phi_2389_;
-                                                phi_2390_ = _e805;
+                                                let _e806 = phi_2662_;
+                                                phi_2663_ = _e806;
                                             }
-                                            let _e807 = phi_2390_;
-                                            if _e796 {
-                                                let _e808 = (_e787 != 7u);
-                                                if _e808 {
-                                                    phi_2400_ = (_e784 + _e787);
+                                            let _e808 = phi_2663_;
+                                            if _e797 {
+                                                let _e809 = (_e788 != 7u);
+                                                if _e809 {
+                                                    phi_2673_ = (_e785 + _e788);
                                                 } else {
-                                                    phi_2400_ = u32();
+                                                    phi_2673_ = u32();
                                                 }
-                                                let _e811 = phi_2400_;
-                                                phi_2402_ = _e811;
-                                                phi_2403_ = select(true, false, _e808);
+                                                let _e812 = phi_2673_;
+                                                phi_2675_ = _e812;
+                                                phi_2676_ = select(true, false, _e809);
                                             } else {
-                                                phi_2402_ = u32();
-                                                phi_2403_ = true;
+                                                phi_2675_ = u32();
+                                                phi_2676_ = true;
                                             }
-                                            let _e814 = phi_2402_;
-                                            let _e816 = phi_2403_;
-                                            if (_e795 == 0u) {
-                                                phi_2424_ = (_e783 + select(0u, 1u, !(_e796)));
+                                            let _e815 = phi_2675_;
+                                            let _e817 = phi_2676_;
+                                            if (_e796 == 0u) {
+                                                phi_2697_ = (_e784 + select(0u, 1u, !(_e797)));
                                             } else {
-                                                if (_e795 == 7u) {
-                                                    phi_2423_ = 2147483648u;
+                                                if (_e796 == 7u) {
+                                                    phi_2696_ = 2147483648u;
                                                 } else {
-                                                    phi_2423_ = ((2147483648u | (_e795 << bitcast<u32>(28u))) | (select(_e814, _e784, _e816) & 268435455u));
+                                                    phi_2696_ = ((2147483648u | (_e796 << bitcast<u32>(28u))) | (select(_e815, _e785, _e817) & 268435455u));
                                                 }
-                                                let _e829 = phi_2423_;
-                                                phi_2424_ = _e829;
+                                                let _e830 = phi_2696_;
+                                                phi_2697_ = _e830;
                                             }
-                                            let _e831 = phi_2424_;
-                                            phi_2428_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e536.member.member.x + _e659), (_e536.member.member.x + _e681), (_e536.member.member_1.x - _e698), (_e536.member.member_1.x - _e720)), vec4<f32>((_e536.member.member.y + _e668), (_e536.member.member.y + _e685), (_e536.member.member_1.y - _e707), (_e536.member.member_1.y - _e724)), vec4<f32>((_e536.member.member.z + _e677), (_e536.member.member.z + _e689), (_e536.member.member_1.z - _e716), (_e536.member.member_1.z - _e728))), type_49(type_28((_e536.member.member + vec4<f32>(_e659, _e668, _e677, 0f)), (_e536.member.member_1 - vec4<f32>(_e698, _e707, _e716, 0f))), _e807), type_49(type_28((_e536.member.member + vec4<f32>(_e681, _e685, _e689, 0f)), (_e536.member.member_1 - vec4<f32>(_e720, _e724, _e728, 0f))), _e831));
+                                            let _e832 = phi_2697_;
+                                            phi_2701_ = type_50(array<vec4<f32>, 3>(vec4<f32>((_e537.member.member.x + _e660), (_e537.member.member.x + _e682), (_e537.member.member_1.x - _e699), (_e537.member.member_1.x - _e721)), vec4<f32>((_e537.member.member.y + _e669), (_e537.member.member.y + _e686), (_e537.member.member_1.y - _e708), (_e537.member.member_1.y - _e725)), vec4<f32>((_e537.member.member.z + _e678), (_e537.member.member.z + _e690), (_e537.member.member_1.z - _e717), (_e537.member.member_1.z - _e729))), type_49(type_28((_e537.member.member + vec4<f32>(_e660, _e669, _e678, 0f)), (_e537.member.member_1 - vec4<f32>(_e699, _e708, _e717, 0f))), _e808), type_49(type_28((_e537.member.member + vec4<f32>(_e682, _e686, _e690, 0f)), (_e537.member.member_1 - vec4<f32>(_e721, _e725, _e729, 0f))), _e832));
                                         }
-                                        let _e836 = phi_2428_;
-                                        let _e848 = ((_e836.member[0].x - _e325) * _e330);
-                                        let _e849 = ((_e836.member[0].y - _e325) * _e330);
-                                        let _e850 = ((_e836.member[0].z - _e326) * _e330);
-                                        let _e851 = ((_e836.member[0].w - _e326) * _e330);
-                                        let _e861 = ((_e836.member[1].x - _e363) * _e368);
-                                        let _e862 = ((_e836.member[1].y - _e363) * _e368);
-                                        let _e863 = ((_e836.member[1].z - _e364) * _e368);
-                                        let _e864 = ((_e836.member[1].w - _e364) * _e368);
-                                        let _e874 = ((_e836.member[2].x - _e401) * _e406);
-                                        let _e875 = ((_e836.member[2].y - _e401) * _e406);
-                                        let _e876 = ((_e836.member[2].z - _e402) * _e406);
-                                        let _e877 = ((_e836.member[2].w - _e402) * _e406);
-                                        let _e879 = select(_e876, _e874, (_e874 < _e876));
-                                        let _e881 = select(_e877, _e875, (_e875 < _e877));
-                                        let _e883 = select(_e876, _e874, (_e874 > _e876));
-                                        let _e885 = select(_e877, _e875, (_e875 > _e877));
-                                        let _e887 = select(_e850, _e848, (_e848 < _e850));
-                                        let _e889 = select(_e851, _e849, (_e849 < _e851));
-                                        let _e891 = select(_e863, _e861, (_e861 < _e863));
-                                        let _e893 = select(_e864, _e862, (_e862 < _e864));
-                                        let _e895 = select(_e891, _e887, (_e887 > _e891));
-                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
-                                        let _e899 = select(_e879, _e895, (_e895 > _e879));
-                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
-                                        let _e903 = select(_e850, _e848, (_e848 > _e850));
-                                        let _e905 = select(_e851, _e849, (_e849 > _e851));
-                                        let _e907 = select(_e863, _e861, (_e861 > _e863));
-                                        let _e909 = select(_e864, _e862, (_e862 > _e864));
-                                        let _e911 = select(_e907, _e903, (_e903 < _e907));
-                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
-                                        let _e918 = -(_e879);
-                                        let _e919 = -(_e881);
-                                        let _e926 = (select(_e883, _e911, (_e911 < _e883)) + (select(_e918, _e883, (_e883 > _e918)) * 0.0000019073523f));
-                                        let _e927 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e919, _e885, (_e885 > _e919)) * 0.0000019073523f));
-                                        let _e929 = select(_e453, _e899, (_e899 > _e453));
-                                        let _e931 = select(_e453, _e901, (_e901 > _e453));
-                                        let _e936 = (_e929 <= select(_e497.member, _e926, (_e926 < _e497.member)));
-                                        let _e937 = (_e931 <= select(_e497.member, _e927, (_e927 < _e497.member)));
-                                        let _e938 = (_e929 <= _e931);
-                                        if _e936 {
+                                        let _e837 = phi_2701_;
+                                        let _e849 = ((_e837.member[0].x - _e326) * _e331);
+                                        let _e850 = ((_e837.member[0].y - _e326) * _e331);
+                                        let _e851 = ((_e837.member[0].z - _e327) * _e331);
+                                        let _e852 = ((_e837.member[0].w - _e327) * _e331);
+                                        let _e862 = ((_e837.member[1].x - _e364) * _e369);
+                                        let _e863 = ((_e837.member[1].y - _e364) * _e369);
+                                        let _e864 = ((_e837.member[1].z - _e365) * _e369);
+                                        let _e865 = ((_e837.member[1].w - _e365) * _e369);
+                                        let _e875 = ((_e837.member[2].x - _e402) * _e407);
+                                        let _e876 = ((_e837.member[2].y - _e402) * _e407);
+                                        let _e877 = ((_e837.member[2].z - _e403) * _e407);
+                                        let _e878 = ((_e837.member[2].w - _e403) * _e407);
+                                        let _e880 = select(_e877, _e875, (_e875 < _e877));
+                                        let _e882 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e884 = select(_e877, _e875, (_e875 > _e877));
+                                        let _e886 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e888 = select(_e851, _e849, (_e849 < _e851));
+                                        let _e890 = select(_e852, _e850, (_e850 < _e852));
+                                        let _e892 = select(_e864, _e862, (_e862 < _e864));
+                                        let _e894 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e896 = select(_e892, _e888, (_e888 > _e892));
+                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
+                                        let _e900 = select(_e880, _e896, (_e896 > _e880));
+                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
+                                        let _e904 = select(_e851, _e849, (_e849 > _e851));
+                                        let _e906 = select(_e852, _e850, (_e850 > _e852));
+                                        let _e908 = select(_e864, _e862, (_e862 > _e864));
+                                        let _e910 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e912 = select(_e908, _e904, (_e904 < _e908));
+                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
+                                        let _e919 = -(_e880);
+                                        let _e920 = -(_e882);
+                                        let _e927 = (select(_e884, _e912, (_e912 < _e884)) + (select(_e919, _e884, (_e884 > _e919)) * 0.0000019073523f));
+                                        let _e928 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e920, _e886, (_e886 > _e920)) * 0.0000019073523f));
+                                        let _e930 = select(_e454, _e900, (_e900 > _e454));
+                                        let _e932 = select(_e454, _e902, (_e902 > _e454));
+                                        let _e937 = (_e930 <= select(_e498.member, _e927, (_e927 < _e498.member)));
+                                        let _e938 = (_e932 <= select(_e498.member, _e928, (_e928 < _e498.member)));
+                                        let _e939 = (_e930 <= _e932);
+                                        if _e937 {
+                                            if _e938 {
+                                                if _e939 {
+                                                    phi_3045_ = _e837.member_2;
+                                                } else {
+                                                    phi_3045_ = _e837.member_1;
+                                                }
+                                                let _e943 = phi_3045_;
+                                                let _e965 = (_e541 % 128u);
+                                                let _e966 = (_e965 < 128u);
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e965] = _e943.member_1;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e965] = _e943.member.member.x;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e965] = _e943.member.member.y;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e965] = _e943.member.member.z;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e965] = _e943.member.member_1.x;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e965] = _e943.member.member_1.y;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e965] = _e943.member.member_1.z;
+                                                if _e966 {
+                                                } else {
+                                                    phi_3517_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e965] = select(_e932, _e930, (_e930 > _e932));
+                                                if _e939 {
+                                                    phi_3122_ = _e837.member_1;
+                                                } else {
+                                                    phi_3122_ = _e837.member_2;
+                                                }
+                                                let _e979 = phi_3122_;
+                                                phi_3123_ = _e979;
+                                                phi_3124_ = (_e541 + 1u);
+                                            } else {
+                                                phi_3123_ = type_49();
+                                                phi_3124_ = u32();
+                                            }
+                                            let _e981 = phi_3123_;
+                                            let _e983 = phi_3124_;
+                                            phi_3126_ = _e981;
+                                            phi_3127_ = _e983;
+                                            phi_3128_ = select(true, false, _e938);
+                                        } else {
+                                            phi_3126_ = type_49();
+                                            phi_3127_ = u32();
+                                            phi_3128_ = true;
+                                        }
+                                        let _e986 = phi_3126_;
+                                        let _e988 = phi_3127_;
+                                        let _e990 = phi_3128_;
+                                        if _e990 {
                                             if _e937 {
-                                                if _e938 {
-                                                    phi_2772_ = _e836.member_2;
-                                                } else {
-                                                    phi_2772_ = _e836.member_1;
-                                                }
-                                                let _e942 = phi_2772_;
-                                                let _e964 = (_e540 % 128u);
-                                                let _e965 = (_e964 < 128u);
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e964] = _e942.member_1;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e964] = _e942.member.member.x;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e964] = _e942.member.member.y;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e964] = _e942.member.member.z;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e964] = _e942.member.member_1.x;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e964] = _e942.member.member_1.y;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e964] = _e942.member.member_1.z;
-                                                if _e965 {
-                                                } else {
-                                                    phi_3216_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e964] = select(_e931, _e929, (_e929 > _e931));
-                                                if _e938 {
-                                                    phi_2849_ = _e836.member_1;
-                                                } else {
-                                                    phi_2849_ = _e836.member_2;
-                                                }
-                                                let _e978 = phi_2849_;
-                                                phi_2850_ = _e978;
-                                                phi_2851_ = (_e540 + 1u);
+                                                phi_3137_ = _e837.member_1;
                                             } else {
-                                                phi_2850_ = type_49();
-                                                phi_2851_ = u32();
+                                                phi_3137_ = _e837.member_2;
                                             }
-                                            let _e980 = phi_2850_;
-                                            let _e982 = phi_2851_;
-                                            phi_2853_ = _e980;
-                                            phi_2854_ = _e982;
-                                            phi_2855_ = select(true, false, _e937);
+                                            let _e994 = phi_3137_;
+                                            phi_3142_ = _e994;
+                                            phi_3143_ = select(_e938, true, _e937);
                                         } else {
-                                            phi_2853_ = type_49();
-                                            phi_2854_ = u32();
-                                            phi_2855_ = true;
+                                            phi_3142_ = _e986;
+                                            phi_3143_ = _e539;
                                         }
-                                        let _e985 = phi_2853_;
-                                        let _e987 = phi_2854_;
-                                        let _e989 = phi_2855_;
-                                        if _e989 {
-                                            if _e936 {
-                                                phi_2864_ = _e836.member_1;
-                                            } else {
-                                                phi_2864_ = _e836.member_2;
-                                            }
-                                            let _e993 = phi_2864_;
-                                            phi_2869_ = _e993;
-                                            phi_2870_ = select(_e937, true, _e936);
-                                        } else {
-                                            phi_2869_ = _e985;
-                                            phi_2870_ = _e538;
-                                        }
-                                        let _e996 = phi_2869_;
-                                        let _e998 = phi_2870_;
-                                        phi_3220_ = _e495;
-                                        phi_2872_ = _e497;
-                                        phi_2873_ = _e996;
-                                        phi_2874_ = _e998;
-                                        phi_2875_ = select(_e987, _e540, _e989);
+                                        let _e997 = phi_3142_;
+                                        let _e999 = phi_3143_;
+                                        phi_3521_ = _e496;
+                                        phi_3145_ = _e498;
+                                        phi_3146_ = _e997;
+                                        phi_3147_ = _e999;
+                                        phi_3148_ = select(_e988, _e541, _e990);
                                     }
-                                    let _e1401 = phi_3220_;
-                                    let _e1403 = phi_2872_;
-                                    let _e1405 = phi_2873_;
-                                    let _e1407 = phi_2874_;
-                                    let _e1409 = phi_2875_;
-                                    phi_3219_ = _e1401;
-                                    phi_2876_ = _e1403;
-                                    phi_2877_ = _e1405;
-                                    phi_2878_ = (_e501 - 1u);
-                                    phi_2879_ = _e1407;
-                                    phi_2880_ = _e1409;
+                                    let _e1582 = phi_3521_;
+                                    let _e1584 = phi_3145_;
+                                    let _e1586 = phi_3146_;
+                                    let _e1588 = phi_3147_;
+                                    let _e1590 = phi_3148_;
+                                    phi_3520_ = _e1582;
+                                    phi_3149_ = _e1584;
+                                    phi_3150_ = _e1586;
+                                    phi_3151_ = (_e502 - 1u);
+                                    phi_3152_ = _e1588;
+                                    phi_3153_ = _e1590;
                                 } else {
-                                    phi_3219_ = _e495;
-                                    phi_2876_ = _e497;
-                                    phi_2877_ = _e536;
-                                    phi_2878_ = _e501;
-                                    phi_2879_ = _e538;
-                                    phi_2880_ = _e540;
+                                    phi_3520_ = _e496;
+                                    phi_3149_ = _e498;
+                                    phi_3150_ = _e537;
+                                    phi_3151_ = _e502;
+                                    phi_3152_ = _e539;
+                                    phi_3153_ = _e541;
                                 }
-                                let _e1411 = phi_3219_;
-                                let _e1413 = phi_2876_;
-                                let _e1415 = phi_2877_;
-                                let _e1417 = phi_2878_;
-                                let _e1419 = phi_2879_;
-                                let _e1421 = phi_2880_;
-                                phi_3218_ = _e1411;
-                                phi_2881_ = _e1413;
-                                phi_2882_ = _e1415;
-                                phi_2883_ = _e1417;
-                                phi_2884_ = _e1419;
-                                phi_2885_ = _e1421;
+                                let _e1592 = phi_3520_;
+                                let _e1594 = phi_3149_;
+                                let _e1596 = phi_3150_;
+                                let _e1598 = phi_3151_;
+                                let _e1600 = phi_3152_;
+                                let _e1602 = phi_3153_;
+                                phi_3519_ = _e1592;
+                                phi_3154_ = _e1594;
+                                phi_3155_ = _e1596;
+                                phi_3156_ = _e1598;
+                                phi_3157_ = _e1600;
+                                phi_3158_ = _e1602;
                             } else {
-                                phi_3218_ = _e495;
-                                phi_2881_ = type_38();
-                                phi_2882_ = type_49();
-                                phi_2883_ = u32();
-                                phi_2884_ = bool();
-                                phi_2885_ = u32();
+                                phi_3519_ = _e496;
+                                phi_3154_ = type_38();
+                                phi_3155_ = type_49();
+                                phi_3156_ = u32();
+                                phi_3157_ = bool();
+                                phi_3158_ = u32();
                             }
-                            let _e1423 = phi_3218_;
-                            let _e1425 = phi_2881_;
-                            let _e1427 = phi_2882_;
-                            let _e1429 = phi_2883_;
-                            let _e1431 = phi_2884_;
-                            let _e1433 = phi_2885_;
-                            phi_3217_ = _e1423;
-                            phi_817_ = _e1425;
-                            phi_820_ = _e1427;
-                            phi_822_ = _e1429;
-                            phi_824_ = _e1431;
-                            phi_826_ = _e1433;
-                            phi_2886_ = _e509;
+                            let _e1604 = phi_3519_;
+                            let _e1606 = phi_3154_;
+                            let _e1608 = phi_3155_;
+                            let _e1610 = phi_3156_;
+                            let _e1612 = phi_3157_;
+                            let _e1614 = phi_3158_;
+                            phi_3518_ = _e1604;
+                            phi_823_ = _e1606;
+                            phi_826_ = _e1608;
+                            phi_828_ = _e1610;
+                            phi_830_ = _e1612;
+                            phi_832_ = _e1614;
+                            phi_3159_ = _e510;
                         } else {
-                            phi_3217_ = _e495;
-                            phi_817_ = type_38();
-                            phi_820_ = type_49();
-                            phi_822_ = u32();
-                            phi_824_ = bool();
-                            phi_826_ = u32();
-                            phi_2886_ = false;
+                            phi_3518_ = _e496;
+                            phi_823_ = type_38();
+                            phi_826_ = type_49();
+                            phi_828_ = u32();
+                            phi_830_ = bool();
+                            phi_832_ = u32();
+                            phi_3159_ = false;
                         }
-                        let _e1435 = phi_3217_;
-                        let _e1437 = phi_817_;
-                        let _e1439 = phi_820_;
-                        let _e1441 = phi_822_;
-                        let _e1443 = phi_824_;
-                        let _e1445 = phi_826_;
-                        let _e1447 = phi_2886_;
+                        let _e1616 = phi_3518_;
+                        let _e1618 = phi_823_;
+                        let _e1620 = phi_826_;
+                        let _e1622 = phi_828_;
+                        let _e1624 = phi_830_;
+                        let _e1626 = phi_832_;
+                        let _e1628 = phi_3159_;
                         continue;
                         continuing {
-                            phi_3111_ = _e1435;
-                            phi_816_ = _e1437;
-                            phi_819_ = _e1439;
-                            phi_821_ = _e1441;
-                            phi_823_ = _e1443;
-                            phi_825_ = _e1445;
-                            phi_3216_ = _e1435;
-                            break if !(_e1447);
+                            phi_3384_ = _e1616;
+                            phi_822_ = _e1618;
+                            phi_825_ = _e1620;
+                            phi_827_ = _e1622;
+                            phi_829_ = _e1624;
+                            phi_831_ = _e1626;
+                            phi_3517_ = _e1616;
+                            break if !(_e1628);
                         }
                     }
-                    let _e1450 = phi_3216_;
-                    if _e1450 {
+                    let _e1631 = phi_3517_;
+                    if _e1631 {
                         break;
                     }
-                    let _e1452 = local_11;
-                    if _e141 {
+                    let _e1633 = local_11;
+                    if _e142 {
                     } else {
                         break;
                     }
-                    global_5.member[_e139] = select(0u, 1u, _e1452.member_1);
+                    global_5.member[_e140] = select(0u, 1u, _e1633.member_1);
                 }
             }
             break;

@@ -83,416 +83,433 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_382_: i32;
-    var phi_383_: i32;
-    var phi_393_: bool;
-    var phi_403_: u32;
-    var phi_404_: u32;
-    var phi_406_: bool;
-    var phi_411_: u32;
-    var phi_423_: i32;
-    var phi_443_: i32;
-    var phi_461_: f32;
+    var phi_388_: i32;
+    var phi_389_: i32;
+    var phi_399_: bool;
+    var phi_409_: u32;
+    var phi_410_: u32;
+    var phi_412_: bool;
+    var phi_417_: u32;
+    var phi_429_: i32;
+    var phi_449_: i32;
     var phi_467_: f32;
-    var phi_478_: f32;
+    var phi_473_: f32;
     var phi_484_: f32;
-    var phi_507_: f32;
-    var phi_518_: f32;
-    var phi_527_: f32;
+    var phi_490_: f32;
+    var phi_513_: f32;
+    var phi_524_: f32;
     var phi_533_: f32;
-    var phi_544_: f32;
+    var phi_539_: f32;
     var phi_550_: f32;
-    var phi_573_: f32;
-    var phi_584_: f32;
-    var phi_593_: f32;
+    var phi_556_: f32;
+    var phi_579_: f32;
+    var phi_590_: f32;
     var phi_599_: f32;
-    var phi_610_: f32;
+    var phi_605_: f32;
     var phi_616_: f32;
-    var phi_639_: f32;
-    var phi_650_: f32;
-    var phi_750_: f32;
-    var phi_751_: f32;
-    var phi_3739_: bool;
-    var phi_840_: type_34;
-    var phi_843_: type_45;
-    var phi_845_: u32;
-    var phi_847_: bool;
-    var phi_849_: u32;
-    var phi_860_: bool;
-    var phi_946_: type_45;
-    var phi_947_: bool;
-    var phi_948_: u32;
-    var phi_2772_: u32;
-    var phi_2778_: u32;
-    var phi_3032_: u32;
-    var phi_3033_: u32;
-    var phi_3043_: u32;
+    var phi_622_: f32;
+    var phi_645_: f32;
+    var phi_656_: f32;
+    var phi_756_: f32;
+    var phi_757_: f32;
+    var phi_4012_: bool;
+    var phi_846_: type_34;
+    var phi_849_: type_45;
+    var phi_851_: u32;
+    var phi_853_: bool;
+    var phi_855_: u32;
+    var phi_866_: bool;
+    var phi_952_: type_45;
+    var phi_953_: bool;
+    var phi_954_: u32;
     var phi_3045_: u32;
-    var phi_3046_: bool;
-    var phi_3066_: u32;
-    var phi_3067_: u32;
-    var phi_3071_: type_46;
-    var phi_3415_: type_45;
-    var phi_3492_: type_45;
-    var phi_3493_: type_45;
-    var phi_3494_: u32;
-    var phi_3496_: type_45;
-    var phi_3497_: u32;
-    var phi_3498_: bool;
-    var phi_3507_: type_45;
-    var phi_3512_: type_45;
-    var phi_3513_: bool;
-    var phi_967_: type_34;
-    var phi_970_: type_8;
-    var phi_971_: type_8;
-    var phi_993_: type_8;
-    var phi_1034_: u32;
+    var phi_3051_: u32;
+    var phi_3305_: u32;
+    var phi_3306_: u32;
+    var phi_3316_: u32;
+    var phi_3318_: u32;
+    var phi_3319_: bool;
+    var phi_3339_: u32;
+    var phi_3340_: u32;
+    var phi_3344_: type_46;
+    var phi_3688_: type_45;
+    var phi_3765_: type_45;
+    var phi_3766_: type_45;
+    var phi_3767_: u32;
+    var phi_3769_: type_45;
+    var phi_3770_: u32;
+    var phi_3771_: bool;
+    var phi_3780_: type_45;
+    var phi_3785_: type_45;
+    var phi_3786_: bool;
+    var phi_973_: type_34;
+    var phi_976_: type_8;
+    var phi_977_: type_8;
+    var phi_999_: type_8;
     var phi_1040_: u32;
-    var phi_1050_: u32;
-    var phi_1066_: u32;
-    var phi_1099_: u32;
+    var phi_1046_: u32;
+    var phi_1056_: u32;
+    var phi_1072_: u32;
     var phi_1105_: u32;
-    var phi_1532_: u32;
-    var phi_1550_: u32;
-    var phi_1568_: u32;
-    var phi_1588_: u32;
-    var phi_1606_: u32;
-    var phi_1624_: u32;
-    var phi_1644_: u32;
-    var phi_1662_: u32;
-    var phi_1680_: u32;
-    var phi_1258_: u32;
-    var phi_1273_: u32;
-    var phi_1283_: u32;
-    var phi_1303_: u32;
-    var phi_1323_: u32;
-    var phi_1349_: u32;
-    var phi_1364_: u32;
-    var phi_1374_: u32;
-    var phi_1394_: u32;
-    var phi_1414_: u32;
-    var phi_1440_: u32;
-    var phi_1455_: u32;
-    var phi_1465_: u32;
-    var phi_1485_: u32;
-    var phi_1505_: u32;
-    var phi_1129_: u32;
-    var phi_1172_: u32;
-    var phi_1215_: u32;
-    var phi_1686_: array<array<f32, 3>, 3>;
-    var phi_2157_: vec3<f32>;
-    var phi_2158_: vec3<f32>;
-    var phi_2189_: bool;
-    var phi_2198_: vec3<f32>;
-    var phi_2238_: type_20;
-    var phi_2240_: type_20;
-    var phi_2241_: bool;
-    var phi_2245_: type_20;
-    var phi_2246_: type_20;
-    var phi_2247_: type_20;
-    var phi_2248_: bool;
-    var phi_2252_: type_20;
-    var phi_2253_: bool;
-    var phi_2257_: type_20;
-    var phi_2258_: bool;
-    var phi_2262_: type_20;
-    var phi_2273_: type_34;
-    var phi_2274_: type_34;
-    var phi_968_: type_34;
-    var phi_3733_: bool;
+    var phi_1111_: u32;
+    var phi_1538_: u32;
+    var phi_1556_: u32;
+    var phi_1574_: u32;
+    var phi_1594_: u32;
+    var phi_1612_: u32;
+    var phi_1630_: u32;
+    var phi_1650_: u32;
+    var phi_1668_: u32;
+    var phi_1686_: u32;
+    var phi_1264_: u32;
+    var phi_1279_: u32;
+    var phi_1289_: u32;
+    var phi_1309_: u32;
+    var phi_1329_: u32;
+    var phi_1355_: u32;
+    var phi_1370_: u32;
+    var phi_1380_: u32;
+    var phi_1400_: u32;
+    var phi_1420_: u32;
+    var phi_1446_: u32;
+    var phi_1461_: u32;
+    var phi_1471_: u32;
+    var phi_1491_: u32;
+    var phi_1511_: u32;
+    var phi_1135_: u32;
+    var phi_1178_: u32;
+    var phi_1221_: u32;
+    var phi_1692_: array<array<f32, 3>, 3>;
+    var phi_1809_: bool;
+    var phi_1838_: bool;
+    var phi_2239_: f32;
+    var phi_2240_: f32;
+    var phi_2241_: f32;
+    var phi_2242_: f32;
+    var phi_2243_: vec3<f32>;
+    var phi_2244_: vec3<f32>;
+    var phi_2245_: vec3<f32>;
+    var phi_2246_: vec3<f32>;
+    var phi_2277_: bool;
+    var phi_2286_: vec3<f32>;
+    var phi_2453_: bool;
+    var phi_2477_: f32;
+    var phi_2478_: f32;
+    var phi_2501_: type_20;
+    var phi_2503_: type_20;
+    var phi_2504_: bool;
+    var phi_2508_: type_20;
+    var phi_2509_: type_20;
+    var phi_2510_: type_20;
+    var phi_2511_: bool;
+    var phi_2515_: type_20;
+    var phi_2516_: bool;
+    var phi_2517_: type_20;
+    var phi_2518_: bool;
+    var phi_2519_: bool;
+    var phi_2520_: type_20;
+    var phi_2521_: bool;
+    var phi_2522_: bool;
+    var phi_2530_: type_20;
+    var phi_2531_: bool;
+    var phi_2535_: type_20;
+    var phi_2546_: type_34;
+    var phi_2547_: type_34;
+    var phi_974_: type_34;
+    var phi_4006_: bool;
     var local_10: type_34;
-    var phi_3895_: bool;
-    var phi_3515_: type_34;
-    var phi_3516_: type_45;
-    var phi_3517_: bool;
-    var phi_3518_: u32;
-    var phi_3894_: bool;
-    var phi_3519_: type_34;
-    var phi_3520_: type_45;
-    var phi_3521_: u32;
-    var phi_3522_: bool;
-    var phi_3523_: u32;
-    var phi_3893_: bool;
-    var phi_3524_: type_34;
-    var phi_3525_: type_45;
-    var phi_3526_: u32;
-    var phi_3527_: bool;
-    var phi_3528_: u32;
-    var phi_3892_: bool;
-    var phi_841_: type_34;
-    var phi_844_: type_45;
-    var phi_846_: u32;
-    var phi_848_: bool;
-    var phi_850_: u32;
-    var phi_3529_: bool;
-    var phi_3891_: bool;
+    var phi_4196_: bool;
+    var phi_3788_: type_34;
+    var phi_3789_: type_45;
+    var phi_3790_: bool;
+    var phi_3791_: u32;
+    var phi_4195_: bool;
+    var phi_3792_: type_34;
+    var phi_3793_: type_45;
+    var phi_3794_: u32;
+    var phi_3795_: bool;
+    var phi_3796_: u32;
+    var phi_4194_: bool;
+    var phi_3797_: type_34;
+    var phi_3798_: type_45;
+    var phi_3799_: u32;
+    var phi_3800_: bool;
+    var phi_3801_: u32;
+    var phi_4193_: bool;
+    var phi_847_: type_34;
+    var phi_850_: type_45;
+    var phi_852_: u32;
+    var phi_854_: bool;
+    var phi_856_: u32;
+    var phi_3802_: bool;
+    var phi_4192_: bool;
     var local_11: type_34;
     var local_12: type_34;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e86 = global;
-            let _e88 = arrayLength((&global_5.member));
-            let _e91 = arrayLength((&global_6.member));
-            let _e99 = global_2.member[0u][0u];
-            let _e103 = global_2.member[0u][1u];
-            let _e107 = global_2.member[0u][2u];
-            let _e111 = global_2.member[0u][3u];
-            let _e115 = global_2.member[1u][0u];
-            let _e119 = global_2.member[1u][1u];
-            let _e123 = global_2.member[1u][2u];
-            let _e126 = global_1.member[0u];
-            let _e127 = bitcast<i32>(_e126);
-            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
-            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
-            let _e145 = (_e86.x + (_e86.y * 2097152u));
-            let _e146 = (_e145 < arrayLength((&global_3.member)));
-            if _e146 {
-                let _e147 = (_e145 < arrayLength((&global_4.member)));
-                if _e147 {
-                    if _e146 {
+            let _e87 = global;
+            let _e89 = arrayLength((&global_5.member));
+            let _e92 = arrayLength((&global_6.member));
+            let _e100 = global_2.member[0u][0u];
+            let _e104 = global_2.member[0u][1u];
+            let _e108 = global_2.member[0u][2u];
+            let _e112 = global_2.member[0u][3u];
+            let _e116 = global_2.member[1u][0u];
+            let _e120 = global_2.member[1u][1u];
+            let _e124 = global_2.member[1u][2u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
+            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            let _e146 = (_e87.x + (_e87.y * 2097152u));
+            let _e147 = (_e146 < arrayLength((&global_3.member)));
+            if _e147 {
+                let _e148 = (_e146 < arrayLength((&global_4.member)));
+                if _e148 {
+                    if _e147 {
                     } else {
                         break;
                     }
-                    let _e155 = global_3.member[_e145].member_2[0u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e145].member_2[1u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e145].member_2[2u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_3.member[_e145].member[0u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e183 = global_3.member[_e145].member[1u];
-                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                    let _e190 = global_3.member[_e145].member[2u];
-                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
-                    let _e194 = select(_e164, _e157, (_e164 < _e157));
-                    let _e196 = select(_e171, _e194, (_e171 < _e194));
-                    let _e198 = select(_e178, _e196, (_e178 < _e196));
-                    let _e200 = select(_e185, _e198, (_e185 < _e198));
-                    let _e202 = select(_e192, _e200, (_e192 < _e200));
-                    let _e206 = global_3.member[_e145].member_1;
-                    let _e208 = (bitcast<u32>(_e206) & 2147483647u);
-                    let _e215 = global_3.member[_e145].member_3;
-                    let _e221 = (((select(_e208, _e202, (_e208 < _e202)) < 2139095040u) && ((bitcast<u32>(_e215) & 2147483647u) <= 2139095040u)) && (_e196 > 0u));
-                    if _e221 {
-                        let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
-                        if (_e224 >= 8388608u) {
-                            phi_382_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
+                    let _e156 = global_3.member[_e146].member_2[0u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_3.member[_e146].member_2[1u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_3.member[_e146].member_2[2u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_3.member[_e146].member[0u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_3.member[_e146].member[1u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_3.member[_e146].member[2u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e195 = select(_e165, _e158, (_e165 < _e158));
+                    let _e197 = select(_e172, _e195, (_e172 < _e195));
+                    let _e199 = select(_e179, _e197, (_e179 < _e197));
+                    let _e201 = select(_e186, _e199, (_e186 < _e199));
+                    let _e203 = select(_e193, _e201, (_e193 < _e201));
+                    let _e207 = global_3.member[_e146].member_1;
+                    let _e209 = (bitcast<u32>(_e207) & 2147483647u);
+                    let _e216 = global_3.member[_e146].member_3;
+                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && ((bitcast<u32>(_e216) & 2147483647u) <= 2139095040u)) && (_e197 > 0u));
+                    if _e222 {
+                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
+                        if (_e225 >= 8388608u) {
+                            phi_388_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_382_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
+                            phi_388_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e238 = phi_382_;
-                        phi_383_ = _e238;
+                        let _e239 = phi_388_;
+                        phi_389_ = _e239;
                     } else {
-                        phi_383_ = 0i;
+                        phi_389_ = 0i;
                     }
-                    let _e240 = phi_383_;
-                    let _e241 = (_e157 == _e196);
-                    if _e241 {
-                        phi_393_ = true;
+                    let _e241 = phi_389_;
+                    let _e242 = (_e158 == _e197);
+                    if _e242 {
+                        phi_399_ = true;
                     } else {
-                        phi_393_ = (_e164 == _e196);
+                        phi_399_ = (_e165 == _e197);
                     }
-                    let _e244 = phi_393_;
-                    let _e245 = select(1u, 0u, _e241);
-                    if _e244 {
-                        let _e246 = (_e245 + 1u);
-                        phi_403_ = _e246;
-                        phi_404_ = _e246;
-                        phi_406_ = select(true, false, (_e246 == 2u));
+                    let _e245 = phi_399_;
+                    let _e246 = select(1u, 0u, _e242);
+                    if _e245 {
+                        let _e247 = (_e246 + 1u);
+                        phi_409_ = _e247;
+                        phi_410_ = _e247;
+                        phi_412_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_403_ = u32();
-                        phi_404_ = 0u;
-                        phi_406_ = true;
+                        phi_409_ = u32();
+                        phi_410_ = 0u;
+                        phi_412_ = true;
                     }
-                    let _e250 = phi_403_;
-                    let _e252 = phi_404_;
-                    let _e254 = phi_406_;
-                    if _e254 {
-                        phi_411_ = (_e252 + 1u);
+                    let _e251 = phi_409_;
+                    let _e253 = phi_410_;
+                    let _e255 = phi_412_;
+                    if _e255 {
+                        phi_417_ = (_e253 + 1u);
                     } else {
-                        phi_411_ = 0u;
+                        phi_417_ = 0u;
                     }
-                    let _e258 = phi_411_;
-                    let _e259 = select(_e250, _e252, _e254);
-                    let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
-                    if (_e127 < -126i) {
-                        phi_423_ = -126i;
+                    let _e259 = phi_417_;
+                    let _e260 = select(_e251, _e253, _e255);
+                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
+                    if (_e128 < -126i) {
+                        phi_429_ = -126i;
                     } else {
-                        phi_423_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_429_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e265 = phi_423_;
-                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = -(_e240);
-                    if (_e277 < -126i) {
-                        phi_443_ = -126i;
+                    let _e266 = phi_429_;
+                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = -(_e241);
+                    if (_e278 < -126i) {
+                        phi_449_ = -126i;
                     } else {
-                        phi_443_ = select(_e277, 127i, (_e277 > 127i));
+                        phi_449_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e282 = phi_443_;
-                    let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = global_3.member[_e145].member;
-                    let _e298 = (_e259 == 0u);
-                    if _e298 {
-                        phi_461_ = _e297[0];
+                    let _e283 = phi_449_;
+                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
+                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = global_3.member[_e146].member;
+                    let _e299 = (_e260 == 0u);
+                    if _e299 {
+                        phi_467_ = _e298[0];
                     } else {
-                        phi_461_ = _e297[1];
+                        phi_467_ = _e298[1];
                     }
-                    let _e302 = phi_461_;
-                    let _e303 = (_e259 == 2u);
-                    if _e303 {
-                        phi_467_ = _e297[2];
+                    let _e303 = phi_467_;
+                    let _e304 = (_e260 == 2u);
+                    if _e304 {
+                        phi_473_ = _e298[2];
                     } else {
-                        phi_467_ = _e302;
+                        phi_473_ = _e303;
                     }
-                    let _e306 = phi_467_;
-                    let _e308 = ((_e306 * _e270) * _e276);
-                    let _e309 = global_3.member[_e145].member_2;
-                    if _e298 {
-                        phi_478_ = _e309[0];
+                    let _e307 = phi_473_;
+                    let _e309 = ((_e307 * _e271) * _e277);
+                    let _e310 = global_3.member[_e146].member_2;
+                    if _e299 {
+                        phi_484_ = _e310[0];
                     } else {
-                        phi_478_ = _e309[1];
+                        phi_484_ = _e310[1];
                     }
-                    let _e313 = phi_478_;
-                    if _e303 {
-                        phi_484_ = _e309[2];
+                    let _e314 = phi_484_;
+                    if _e304 {
+                        phi_490_ = _e310[2];
                     } else {
-                        phi_484_ = _e313;
+                        phi_490_ = _e314;
                     }
-                    let _e316 = phi_484_;
-                    let _e318 = ((_e316 * _e287) * _e293);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
-                        phi_507_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                    let _e317 = phi_490_;
+                    let _e319 = ((_e317 * _e288) * _e294);
+                    let _e323 = (bitcast<f32>((bitcast<u32>(_e319) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e323 {
+                        let _e327 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                        phi_513_ = select(0.00000000000011368684f, _e327, (_e327 > 0.00000000000011368684f));
                     } else {
-                        phi_507_ = 0f;
+                        phi_513_ = 0f;
                     }
-                    let _e330 = phi_507_;
-                    let _e331 = (_e308 + _e330);
-                    let _e332 = (_e308 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_518_ = 38685626000000000000000000f;
+                    let _e331 = phi_513_;
+                    let _e332 = (_e309 + _e331);
+                    let _e333 = (_e309 - _e331);
+                    let _e334 = select(_e319, 0f, _e323);
+                    if _e323 {
+                        phi_524_ = 38685626000000000000000000f;
                     } else {
-                        phi_518_ = (1f / _e318);
+                        phi_524_ = (1f / _e319);
                     }
-                    let _e336 = phi_518_;
-                    let _e337 = (_e258 == 0u);
-                    if _e337 {
-                        phi_527_ = _e297[0];
+                    let _e337 = phi_524_;
+                    let _e338 = (_e259 == 0u);
+                    if _e338 {
+                        phi_533_ = _e298[0];
                     } else {
-                        phi_527_ = _e297[1];
+                        phi_533_ = _e298[1];
                     }
-                    let _e341 = phi_527_;
-                    let _e342 = (_e258 == 2u);
-                    if _e342 {
-                        phi_533_ = _e297[2];
+                    let _e342 = phi_533_;
+                    let _e343 = (_e259 == 2u);
+                    if _e343 {
+                        phi_539_ = _e298[2];
                     } else {
-                        phi_533_ = _e341;
+                        phi_539_ = _e342;
                     }
-                    let _e345 = phi_533_;
-                    let _e347 = ((_e345 * _e270) * _e276);
-                    if _e337 {
-                        phi_544_ = _e309[0];
+                    let _e346 = phi_539_;
+                    let _e348 = ((_e346 * _e271) * _e277);
+                    if _e338 {
+                        phi_550_ = _e310[0];
                     } else {
-                        phi_544_ = _e309[1];
+                        phi_550_ = _e310[1];
                     }
-                    let _e351 = phi_544_;
-                    if _e342 {
-                        phi_550_ = _e309[2];
+                    let _e352 = phi_550_;
+                    if _e343 {
+                        phi_556_ = _e310[2];
                     } else {
-                        phi_550_ = _e351;
+                        phi_556_ = _e352;
                     }
-                    let _e354 = phi_550_;
-                    let _e356 = ((_e354 * _e287) * _e293);
-                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e360 {
-                        let _e364 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) * 0.00000011920929f);
-                        phi_573_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
+                    let _e355 = phi_556_;
+                    let _e357 = ((_e355 * _e288) * _e294);
+                    let _e361 = (bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e361 {
+                        let _e365 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) * 0.00000011920929f);
+                        phi_579_ = select(0.00000000000011368684f, _e365, (_e365 > 0.00000000000011368684f));
                     } else {
-                        phi_573_ = 0f;
+                        phi_579_ = 0f;
                     }
-                    let _e368 = phi_573_;
-                    let _e369 = (_e347 + _e368);
-                    let _e370 = (_e347 - _e368);
-                    let _e371 = select(_e356, 0f, _e360);
-                    if _e360 {
-                        phi_584_ = 38685626000000000000000000f;
+                    let _e369 = phi_579_;
+                    let _e370 = (_e348 + _e369);
+                    let _e371 = (_e348 - _e369);
+                    let _e372 = select(_e357, 0f, _e361);
+                    if _e361 {
+                        phi_590_ = 38685626000000000000000000f;
                     } else {
-                        phi_584_ = (1f / _e356);
+                        phi_590_ = (1f / _e357);
                     }
-                    let _e374 = phi_584_;
-                    let _e375 = (_e260 == 0u);
-                    if _e375 {
-                        phi_593_ = _e297[0];
+                    let _e375 = phi_590_;
+                    let _e376 = (_e261 == 0u);
+                    if _e376 {
+                        phi_599_ = _e298[0];
                     } else {
-                        phi_593_ = _e297[1];
+                        phi_599_ = _e298[1];
                     }
-                    let _e379 = phi_593_;
-                    let _e380 = (_e260 == 2u);
-                    if _e380 {
-                        phi_599_ = _e297[2];
+                    let _e380 = phi_599_;
+                    let _e381 = (_e261 == 2u);
+                    if _e381 {
+                        phi_605_ = _e298[2];
                     } else {
-                        phi_599_ = _e379;
+                        phi_605_ = _e380;
                     }
-                    let _e383 = phi_599_;
-                    let _e385 = ((_e383 * _e270) * _e276);
-                    if _e375 {
-                        phi_610_ = _e309[0];
+                    let _e384 = phi_605_;
+                    let _e386 = ((_e384 * _e271) * _e277);
+                    if _e376 {
+                        phi_616_ = _e310[0];
                     } else {
-                        phi_610_ = _e309[1];
+                        phi_616_ = _e310[1];
                     }
-                    let _e389 = phi_610_;
-                    if _e380 {
-                        phi_616_ = _e309[2];
+                    let _e390 = phi_616_;
+                    if _e381 {
+                        phi_622_ = _e310[2];
                     } else {
-                        phi_616_ = _e389;
+                        phi_622_ = _e390;
                     }
-                    let _e392 = phi_616_;
-                    let _e394 = ((_e392 * _e287) * _e293);
-                    let _e398 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e398 {
-                        let _e402 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
-                        phi_639_ = select(0.00000000000011368684f, _e402, (_e402 > 0.00000000000011368684f));
+                    let _e393 = phi_622_;
+                    let _e395 = ((_e393 * _e288) * _e294);
+                    let _e399 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e399 {
+                        let _e403 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) * 0.00000011920929f);
+                        phi_645_ = select(0.00000000000011368684f, _e403, (_e403 > 0.00000000000011368684f));
                     } else {
-                        phi_639_ = 0f;
+                        phi_645_ = 0f;
                     }
-                    let _e406 = phi_639_;
-                    let _e407 = (_e385 + _e406);
-                    let _e408 = (_e385 - _e406);
-                    let _e409 = select(_e394, 0f, _e398);
-                    if _e398 {
-                        phi_650_ = 38685626000000000000000000f;
+                    let _e407 = phi_645_;
+                    let _e408 = (_e386 + _e407);
+                    let _e409 = (_e386 - _e407);
+                    let _e410 = select(_e395, 0f, _e399);
+                    if _e399 {
+                        phi_656_ = 38685626000000000000000000f;
                     } else {
-                        phi_650_ = (1f / _e394);
+                        phi_656_ = (1f / _e395);
                     }
-                    let _e412 = phi_650_;
-                    let _e415 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e347) & 2147483647u));
-                    let _e420 = select(_e418, _e415, (_e415 > _e418));
-                    let _e423 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
-                    let _e426 = (_e127 + _e240);
-                    if (_e221 && (select(_e423, _e420, (_e420 > _e423)) <= 1099511600000f)) {
-                        let _e429 = (_e426 / 3i);
-                        let _e436 = bitcast<f32>((bitcast<u32>((_e429 + 127i)) << bitcast<u32>(23i)));
-                        let _e443 = bitcast<f32>((bitcast<u32>(((_e426 - (2i * _e429)) + 127i)) << bitcast<u32>(23i)));
-                        let _e444 = (((_e206 * _e436) * _e436) * _e443);
-                        let _e446 = select(340282350000000000000000000000000000000f, _e444, (_e444 < 340282350000000000000000000000000000000f));
-                        let _e451 = (((_e215 * _e436) * _e436) * _e443);
-                        let _e453 = select(340282350000000000000000000000000000000f, _e451, (_e451 < 340282350000000000000000000000000000000f));
-                        phi_750_ = select(-340282350000000000000000000000000000000f, _e453, (_e453 > -340282350000000000000000000000000000000f));
-                        phi_751_ = select(-340282350000000000000000000000000000000f, _e446, (_e446 > -340282350000000000000000000000000000000f));
+                    let _e413 = phi_656_;
+                    let _e416 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e419 = bitcast<f32>((bitcast<u32>(_e348) & 2147483647u));
+                    let _e421 = select(_e419, _e416, (_e416 > _e419));
+                    let _e424 = bitcast<f32>((bitcast<u32>(_e386) & 2147483647u));
+                    let _e427 = (_e128 + _e241);
+                    if (_e222 && (select(_e424, _e421, (_e421 > _e424)) <= 1099511600000f)) {
+                        let _e430 = (_e427 / 3i);
+                        let _e437 = bitcast<f32>((bitcast<u32>((_e430 + 127i)) << bitcast<u32>(23i)));
+                        let _e444 = bitcast<f32>((bitcast<u32>(((_e427 - (2i * _e430)) + 127i)) << bitcast<u32>(23i)));
+                        let _e445 = (((_e207 * _e437) * _e437) * _e444);
+                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                        let _e452 = (((_e216 * _e437) * _e437) * _e444);
+                        let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
+                        phi_756_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
+                        phi_757_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_750_ = 0f;
-                        phi_751_ = 1f;
+                        phi_756_ = 0f;
+                        phi_757_ = 1f;
                     }
-                    let _e457 = phi_750_;
-                    let _e459 = phi_751_;
+                    let _e458 = phi_756_;
+                    let _e460 = phi_757_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -501,1181 +518,1289 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e463 = (_e259 % 3u);
-                    let _e464 = (_e463 < 3u);
-                    if _e464 {
+                    let _e464 = (_e260 % 3u);
+                    let _e465 = (_e464 < 3u);
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e466 = local_1[_e463];
-                    let _e469 = (_e258 % 3u);
-                    let _e470 = (_e469 < 3u);
-                    if _e470 {
+                    let _e467 = local_1[_e464];
+                    let _e470 = (_e259 % 3u);
+                    let _e471 = (_e470 < 3u);
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e472 = local_1[_e469];
-                    let _e475 = (_e260 % 3u);
-                    let _e476 = (_e475 < 3u);
-                    if _e476 {
+                    let _e473 = local_1[_e470];
+                    let _e476 = (_e261 % 3u);
+                    let _e477 = (_e476 < 3u);
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e478 = local_1[_e475];
-                    if _e464 {
+                    let _e479 = local_1[_e476];
+                    if _e465 {
                     } else {
                         break;
                     }
-                    let _e483 = local[_e463];
-                    if _e470 {
+                    let _e484 = local[_e464];
+                    if _e471 {
                     } else {
                         break;
                     }
-                    let _e487 = local[_e469];
-                    if _e476 {
+                    let _e488 = local[_e470];
+                    if _e477 {
                     } else {
                         break;
                     }
-                    let _e491 = local[_e475];
-                    phi_3739_ = false;
-                    phi_840_ = type_34(_e457, false);
-                    phi_843_ = type_45(type_24(vec4<f32>((f32(_e466) * _e139), (f32(_e472) * _e139), (f32(_e478) * _e139), 0f), vec4<f32>((f32(_e483) * _e139), (f32(_e487) * _e139), (f32(_e491) * _e139), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_845_ = ((3u * _e88) + 1u);
-                    phi_847_ = (_e459 <= _e457);
-                    phi_849_ = 0u;
+                    let _e492 = local[_e476];
+                    phi_4012_ = false;
+                    phi_846_ = type_34(_e458, false);
+                    phi_849_ = type_45(type_24(vec4<f32>((f32(_e467) * _e140), (f32(_e473) * _e140), (f32(_e479) * _e140), 0f), vec4<f32>((f32(_e484) * _e140), (f32(_e488) * _e140), (f32(_e492) * _e140), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
+                    phi_851_ = ((3u * _e89) + 1u);
+                    phi_853_ = (_e460 <= _e458);
+                    phi_855_ = 0u;
                     loop {
-                        let _e501 = phi_3739_;
-                        let _e503 = phi_840_;
-                        let _e505 = phi_843_;
-                        let _e507 = phi_845_;
-                        let _e509 = phi_847_;
-                        let _e511 = phi_849_;
-                        local_11 = _e503;
-                        if _e509 {
-                            phi_860_ = true;
+                        let _e502 = phi_4012_;
+                        let _e504 = phi_846_;
+                        let _e506 = phi_849_;
+                        let _e508 = phi_851_;
+                        let _e510 = phi_853_;
+                        let _e512 = phi_855_;
+                        local_11 = _e504;
+                        if _e510 {
+                            phi_866_ = true;
                         } else {
-                            phi_860_ = (_e511 > 0u);
+                            phi_866_ = (_e512 > 0u);
                         }
-                        let _e514 = phi_860_;
-                        if _e514 {
-                            let _e515 = (_e507 > 0u);
-                            if _e515 {
-                                if _e509 {
-                                    phi_946_ = _e505;
-                                    phi_947_ = _e509;
-                                    phi_948_ = _e511;
+                        let _e515 = phi_866_;
+                        if _e515 {
+                            let _e516 = (_e508 > 0u);
+                            if _e516 {
+                                if _e510 {
+                                    phi_952_ = _e506;
+                                    phi_953_ = _e510;
+                                    phi_954_ = _e512;
                                 } else {
-                                    let _e516 = (_e511 - 1u);
-                                    let _e517 = (_e516 % 128u);
-                                    let _e518 = (_e517 < 128u);
-                                    if _e518 {
+                                    let _e517 = (_e512 - 1u);
+                                    let _e518 = (_e517 % 128u);
+                                    let _e519 = (_e518 < 128u);
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e520 = local_7[_e517];
-                                    if _e518 {
+                                    let _e521 = local_7[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e522 = local_6[_e517];
-                                    if _e518 {
+                                    let _e523 = local_6[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e524 = local_5[_e517];
-                                    if _e518 {
+                                    let _e525 = local_5[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e526 = local_4[_e517];
-                                    if _e518 {
+                                    let _e527 = local_4[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e528 = local_3[_e517];
-                                    if _e518 {
+                                    let _e529 = local_3[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e530 = local_2[_e517];
-                                    if _e518 {
+                                    let _e531 = local_2[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e535 = local_8[_e517];
-                                    if _e518 {
+                                    let _e536 = local_8[_e518];
+                                    if _e519 {
                                     } else {
-                                        phi_3891_ = true;
+                                        phi_4192_ = true;
                                         break;
                                     }
-                                    let _e538 = local_9[_e517];
-                                    phi_946_ = type_45(type_24(vec4<f32>(_e520, _e522, _e524, 0f), vec4<f32>(_e526, _e528, _e530, 0f)), _e535);
-                                    phi_947_ = (_e538 <= _e503.member);
-                                    phi_948_ = _e516;
+                                    let _e539 = local_9[_e518];
+                                    phi_952_ = type_45(type_24(vec4<f32>(_e521, _e523, _e525, 0f), vec4<f32>(_e527, _e529, _e531, 0f)), _e536);
+                                    phi_953_ = (_e539 <= _e504.member);
+                                    phi_954_ = _e517;
                                 }
-                                let _e542 = phi_946_;
-                                let _e544 = phi_947_;
-                                let _e546 = phi_948_;
-                                if _e544 {
-                                    let _e551 = (_e542.member_1 & 268435455u);
-                                    if ((_e542.member_1 & 2147483648u) != 0u) {
-                                        phi_967_ = _e503;
-                                        phi_970_ = type_8(0u, ((_e542.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e543 = phi_952_;
+                                let _e545 = phi_953_;
+                                let _e547 = phi_954_;
+                                if _e545 {
+                                    let _e552 = (_e543.member_1 & 268435455u);
+                                    if ((_e543.member_1 & 2147483648u) != 0u) {
+                                        phi_973_ = _e504;
+                                        phi_976_ = type_8(0u, ((_e543.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1029 = phi_967_;
-                                            let _e1031 = phi_970_;
-                                            local_10 = _e1029;
-                                            local_12 = _e1029;
-                                            if (_e1031.member < _e1031.member_1) {
-                                                phi_971_ = type_8((_e1031.member + 1u), _e1031.member_1);
-                                                phi_993_ = type_8(1u, _e1031.member);
+                                            let _e1030 = phi_973_;
+                                            let _e1032 = phi_976_;
+                                            local_10 = _e1030;
+                                            local_12 = _e1030;
+                                            if (_e1032.member < _e1032.member_1) {
+                                                phi_977_ = type_8((_e1032.member + 1u), _e1032.member_1);
+                                                phi_999_ = type_8(1u, _e1032.member);
                                             } else {
-                                                phi_971_ = _e1031;
-                                                phi_993_ = type_8(0u, type_8().member_1);
+                                                phi_977_ = _e1032;
+                                                phi_999_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1044 = phi_971_;
-                                            let _e1046 = phi_993_;
-                                            let _e1050 = (bitcast<i32>(_e1046.member) != 0i);
-                                            if _e1050 {
-                                                let _e1055 = (_e542.member.member_1.x - _e542.member.member.x);
-                                                let _e1058 = (_e542.member.member_1.y - _e542.member.member.y);
-                                                let _e1061 = (_e542.member.member_1.z - _e542.member.member.z);
-                                                let _e1063 = select(_e1058, _e1055, (_e1055 > _e1058));
-                                                let _e1065 = select(_e1061, _e1063, (_e1063 > _e1061));
-                                                let _e1067 = (_e1065 < (1024f * _e139));
-                                                if _e1067 {
-                                                    phi_1034_ = 0u;
+                                            let _e1045 = phi_977_;
+                                            let _e1047 = phi_999_;
+                                            let _e1051 = (bitcast<i32>(_e1047.member) != 0i);
+                                            if _e1051 {
+                                                let _e1056 = (_e543.member.member_1.x - _e543.member.member.x);
+                                                let _e1059 = (_e543.member.member_1.y - _e543.member.member.y);
+                                                let _e1062 = (_e543.member.member_1.z - _e543.member.member.z);
+                                                let _e1064 = select(_e1059, _e1056, (_e1056 > _e1059));
+                                                let _e1066 = select(_e1062, _e1064, (_e1064 > _e1062));
+                                                let _e1068 = (_e1066 < (1024f * _e140));
+                                                if _e1068 {
+                                                    phi_1040_ = 0u;
                                                 } else {
-                                                    phi_1034_ = select(2u, 1u, (_e1065 < (2097152f * _e139)));
+                                                    phi_1040_ = select(2u, 1u, (_e1066 < (2097152f * _e140)));
                                                 }
-                                                let _e1072 = phi_1034_;
-                                                switch bitcast<i32>(_e1072) {
+                                                let _e1073 = phi_1040_;
+                                                switch bitcast<i32>(_e1073) {
                                                     case 0: {
-                                                        phi_1040_ = 1u;
+                                                        phi_1046_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1040_ = 2u;
+                                                        phi_1046_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1040_ = 3u;
+                                                        phi_1046_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1040_ = u32();
+                                                        phi_1046_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1075 = phi_1040_;
-                                                switch bitcast<i32>(_e1072) {
+                                                let _e1076 = phi_1046_;
+                                                switch bitcast<i32>(_e1073) {
                                                     case 0: {
-                                                        phi_1050_ = 1u;
+                                                        phi_1056_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1050_ = 2u;
+                                                        phi_1056_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1050_ = 3u;
+                                                        phi_1056_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1050_ = u32();
+                                                        phi_1056_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1082 = phi_1050_;
-                                                let _e1084 = ((_e551 + (_e1046.member_1 * ((3u * _e1075) + 1u))) + (3u * _e1082));
-                                                let _e1085 = (_e1084 < _e91);
-                                                if _e1085 {
-                                                    if _e1085 {
+                                                let _e1083 = phi_1056_;
+                                                let _e1085 = ((_e552 + (_e1047.member_1 * ((3u * _e1076) + 1u))) + (3u * _e1083));
+                                                let _e1086 = (_e1085 < _e92);
+                                                if _e1086 {
+                                                    if _e1086 {
                                                     } else {
-                                                        phi_3733_ = true;
+                                                        phi_4006_ = true;
                                                         break;
                                                     }
-                                                    let _e1087 = global_6.member[_e1084];
-                                                    phi_1066_ = _e1087;
+                                                    let _e1088 = global_6.member[_e1085];
+                                                    phi_1072_ = _e1088;
                                                 } else {
-                                                    phi_1066_ = 4294967295u;
+                                                    phi_1072_ = 4294967295u;
                                                 }
-                                                let _e1089 = phi_1066_;
-                                                if _e1067 {
-                                                    phi_1099_ = 0u;
+                                                let _e1090 = phi_1072_;
+                                                if _e1068 {
+                                                    phi_1105_ = 0u;
                                                 } else {
-                                                    phi_1099_ = select(2u, 1u, (_e1065 < (2097152f * _e139)));
+                                                    phi_1105_ = select(2u, 1u, (_e1066 < (2097152f * _e140)));
                                                 }
-                                                let _e1094 = phi_1099_;
-                                                switch bitcast<i32>(_e1094) {
+                                                let _e1095 = phi_1105_;
+                                                switch bitcast<i32>(_e1095) {
                                                     case 0: {
-                                                        phi_1105_ = 1u;
+                                                        phi_1111_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1105_ = 2u;
+                                                        phi_1111_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1105_ = 3u;
+                                                        phi_1111_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1105_ = u32();
+                                                        phi_1111_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1097 = phi_1105_;
-                                                let _e1101 = (_e551 + (_e1046.member_1 * ((3u * _e1097) + 1u)));
-                                                switch bitcast<i32>(_e1094) {
+                                                let _e1098 = phi_1111_;
+                                                let _e1102 = (_e552 + (_e1047.member_1 * ((3u * _e1098) + 1u)));
+                                                switch bitcast<i32>(_e1095) {
                                                     case 0: {
-                                                        let _e1367 = (_e1101 < _e91);
-                                                        if _e1367 {
-                                                            if _e1367 {
+                                                        let _e1368 = (_e1102 < _e92);
+                                                        if _e1368 {
+                                                            if _e1368 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1369 = global_6.member[_e1101];
-                                                            phi_1129_ = _e1369;
+                                                            let _e1370 = global_6.member[_e1102];
+                                                            phi_1135_ = _e1370;
                                                         } else {
-                                                            phi_1129_ = 0u;
+                                                            phi_1135_ = 0u;
                                                         }
-                                                        let _e1371 = phi_1129_;
-                                                        let _e1373 = ((10u * _e259) & 31u);
-                                                        let _e1382 = ((10u * _e258) & 31u);
-                                                        let _e1391 = ((10u * _e260) & 31u);
-                                                        let _e1400 = (_e1101 + 1u);
-                                                        let _e1401 = (_e1400 < _e91);
-                                                        if _e1401 {
-                                                            if _e1401 {
+                                                        let _e1372 = phi_1135_;
+                                                        let _e1374 = ((10u * _e260) & 31u);
+                                                        let _e1383 = ((10u * _e259) & 31u);
+                                                        let _e1392 = ((10u * _e261) & 31u);
+                                                        let _e1401 = (_e1102 + 1u);
+                                                        let _e1402 = (_e1401 < _e92);
+                                                        if _e1402 {
+                                                            if _e1402 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1403 = global_6.member[_e1400];
-                                                            phi_1172_ = _e1403;
+                                                            let _e1404 = global_6.member[_e1401];
+                                                            phi_1178_ = _e1404;
                                                         } else {
-                                                            phi_1172_ = 0u;
+                                                            phi_1178_ = 0u;
                                                         }
-                                                        let _e1405 = phi_1172_;
-                                                        let _e1428 = (_e1101 + 2u);
-                                                        let _e1429 = (_e1428 < _e91);
-                                                        if _e1429 {
-                                                            if _e1429 {
+                                                        let _e1406 = phi_1178_;
+                                                        let _e1429 = (_e1102 + 2u);
+                                                        let _e1430 = (_e1429 < _e92);
+                                                        if _e1430 {
+                                                            if _e1430 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1431 = global_6.member[_e1428];
-                                                            phi_1215_ = _e1431;
+                                                            let _e1432 = global_6.member[_e1429];
+                                                            phi_1221_ = _e1432;
                                                         } else {
-                                                            phi_1215_ = 0u;
+                                                            phi_1221_ = 0u;
                                                         }
-                                                        let _e1433 = phi_1215_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1371 >> bitcast<u32>(_e1373)) & 1023u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1371 >> bitcast<u32>(_e1382)) & 1023u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1371 >> bitcast<u32>(_e1391)) & 1023u))) * _e139))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1405 >> bitcast<u32>(_e1373)) & 1023u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1405 >> bitcast<u32>(_e1382)) & 1023u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1405 >> bitcast<u32>(_e1391)) & 1023u))) * _e139))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>(((_e1433 >> bitcast<u32>(_e1373)) & 1023u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>(((_e1433 >> bitcast<u32>(_e1382)) & 1023u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>(((_e1433 >> bitcast<u32>(_e1391)) & 1023u))) * _e139))));
+                                                        let _e1434 = phi_1221_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1372 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1406 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1374)) & 1023u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1383)) & 1023u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1392)) & 1023u))) * _e140))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1190 = (_e1101 < _e91);
-                                                        if _e1190 {
-                                                            if _e1190 {
+                                                        let _e1191 = (_e1102 < _e92);
+                                                        if _e1191 {
+                                                            if _e1191 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1192 = global_6.member[_e1101];
-                                                            phi_1258_ = _e1192;
+                                                            let _e1193 = global_6.member[_e1102];
+                                                            phi_1264_ = _e1193;
                                                         } else {
-                                                            phi_1258_ = 0u;
+                                                            phi_1264_ = 0u;
                                                         }
-                                                        let _e1194 = phi_1258_;
-                                                        let _e1195 = (_e1101 + 1u);
-                                                        let _e1196 = (_e1195 < _e91);
-                                                        if _e1196 {
-                                                            if _e1196 {
+                                                        let _e1195 = phi_1264_;
+                                                        let _e1196 = (_e1102 + 1u);
+                                                        let _e1197 = (_e1196 < _e92);
+                                                        if _e1197 {
+                                                            if _e1197 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1198 = global_6.member[_e1195];
-                                                            phi_1273_ = _e1198;
+                                                            let _e1199 = global_6.member[_e1196];
+                                                            phi_1279_ = _e1199;
                                                         } else {
-                                                            phi_1273_ = 0u;
+                                                            phi_1279_ = 0u;
                                                         }
-                                                        let _e1200 = phi_1273_;
-                                                        let _e1201 = (_e259 == 1u);
-                                                        if _e1201 {
-                                                            phi_1283_ = ((_e1194 >> bitcast<u32>(21i)) | (_e1200 << bitcast<u32>(11i)));
+                                                        let _e1201 = phi_1279_;
+                                                        let _e1202 = (_e260 == 1u);
+                                                        if _e1202 {
+                                                            phi_1289_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1283_ = (_e1200 >> bitcast<u32>(10i));
+                                                            phi_1289_ = (_e1201 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1210 = phi_1283_;
-                                                        let _e1217 = (_e258 == 1u);
-                                                        if _e1217 {
-                                                            phi_1303_ = ((_e1194 >> bitcast<u32>(21i)) | (_e1200 << bitcast<u32>(11i)));
+                                                        let _e1211 = phi_1289_;
+                                                        let _e1218 = (_e259 == 1u);
+                                                        if _e1218 {
+                                                            phi_1309_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1303_ = (_e1200 >> bitcast<u32>(10i));
+                                                            phi_1309_ = (_e1201 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1226 = phi_1303_;
-                                                        let _e1233 = (_e260 == 1u);
-                                                        if _e1233 {
-                                                            phi_1323_ = ((_e1194 >> bitcast<u32>(21i)) | (_e1200 << bitcast<u32>(11i)));
+                                                        let _e1227 = phi_1309_;
+                                                        let _e1234 = (_e261 == 1u);
+                                                        if _e1234 {
+                                                            phi_1329_ = ((_e1195 >> bitcast<u32>(21i)) | (_e1201 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1323_ = (_e1200 >> bitcast<u32>(10i));
+                                                            phi_1329_ = (_e1201 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1242 = phi_1323_;
-                                                        let _e1250 = (_e1101 + 2u);
-                                                        let _e1251 = (_e1250 < _e91);
-                                                        if _e1251 {
-                                                            if _e1251 {
+                                                        let _e1243 = phi_1329_;
+                                                        let _e1251 = (_e1102 + 2u);
+                                                        let _e1252 = (_e1251 < _e92);
+                                                        if _e1252 {
+                                                            if _e1252 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1253 = global_6.member[_e1250];
-                                                            phi_1349_ = _e1253;
+                                                            let _e1254 = global_6.member[_e1251];
+                                                            phi_1355_ = _e1254;
                                                         } else {
-                                                            phi_1349_ = 0u;
+                                                            phi_1355_ = 0u;
                                                         }
-                                                        let _e1255 = phi_1349_;
-                                                        let _e1256 = (_e1101 + 3u);
-                                                        let _e1257 = (_e1256 < _e91);
-                                                        if _e1257 {
-                                                            if _e1257 {
+                                                        let _e1256 = phi_1355_;
+                                                        let _e1257 = (_e1102 + 3u);
+                                                        let _e1258 = (_e1257 < _e92);
+                                                        if _e1258 {
+                                                            if _e1258 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1259 = global_6.member[_e1256];
-                                                            phi_1364_ = _e1259;
+                                                            let _e1260 = global_6.member[_e1257];
+                                                            phi_1370_ = _e1260;
                                                         } else {
-                                                            phi_1364_ = 0u;
+                                                            phi_1370_ = 0u;
                                                         }
-                                                        let _e1261 = phi_1364_;
-                                                        if _e1201 {
-                                                            phi_1374_ = ((_e1255 >> bitcast<u32>(21i)) | (_e1261 << bitcast<u32>(11i)));
+                                                        let _e1262 = phi_1370_;
+                                                        if _e1202 {
+                                                            phi_1380_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1374_ = (_e1261 >> bitcast<u32>(10i));
+                                                            phi_1380_ = (_e1262 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1270 = phi_1374_;
-                                                        if _e1217 {
-                                                            phi_1394_ = ((_e1255 >> bitcast<u32>(21i)) | (_e1261 << bitcast<u32>(11i)));
+                                                        let _e1271 = phi_1380_;
+                                                        if _e1218 {
+                                                            phi_1400_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1394_ = (_e1261 >> bitcast<u32>(10i));
+                                                            phi_1400_ = (_e1262 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1285 = phi_1394_;
-                                                        if _e1233 {
-                                                            phi_1414_ = ((_e1255 >> bitcast<u32>(21i)) | (_e1261 << bitcast<u32>(11i)));
+                                                        let _e1286 = phi_1400_;
+                                                        if _e1234 {
+                                                            phi_1420_ = ((_e1256 >> bitcast<u32>(21i)) | (_e1262 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1414_ = (_e1261 >> bitcast<u32>(10i));
+                                                            phi_1420_ = (_e1262 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1300 = phi_1414_;
-                                                        let _e1308 = (_e1101 + 4u);
-                                                        let _e1309 = (_e1308 < _e91);
-                                                        if _e1309 {
-                                                            if _e1309 {
+                                                        let _e1301 = phi_1420_;
+                                                        let _e1309 = (_e1102 + 4u);
+                                                        let _e1310 = (_e1309 < _e92);
+                                                        if _e1310 {
+                                                            if _e1310 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1311 = global_6.member[_e1308];
-                                                            phi_1440_ = _e1311;
+                                                            let _e1312 = global_6.member[_e1309];
+                                                            phi_1446_ = _e1312;
                                                         } else {
-                                                            phi_1440_ = 0u;
+                                                            phi_1446_ = 0u;
                                                         }
-                                                        let _e1313 = phi_1440_;
-                                                        let _e1314 = (_e1101 + 5u);
-                                                        let _e1315 = (_e1314 < _e91);
-                                                        if _e1315 {
-                                                            if _e1315 {
+                                                        let _e1314 = phi_1446_;
+                                                        let _e1315 = (_e1102 + 5u);
+                                                        let _e1316 = (_e1315 < _e92);
+                                                        if _e1316 {
+                                                            if _e1316 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1317 = global_6.member[_e1314];
-                                                            phi_1455_ = _e1317;
+                                                            let _e1318 = global_6.member[_e1315];
+                                                            phi_1461_ = _e1318;
                                                         } else {
-                                                            phi_1455_ = 0u;
+                                                            phi_1461_ = 0u;
                                                         }
-                                                        let _e1319 = phi_1455_;
-                                                        if _e1201 {
-                                                            phi_1465_ = ((_e1313 >> bitcast<u32>(21i)) | (_e1319 << bitcast<u32>(11i)));
+                                                        let _e1320 = phi_1461_;
+                                                        if _e1202 {
+                                                            phi_1471_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1465_ = (_e1319 >> bitcast<u32>(10i));
+                                                            phi_1471_ = (_e1320 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1328 = phi_1465_;
-                                                        if _e1217 {
-                                                            phi_1485_ = ((_e1313 >> bitcast<u32>(21i)) | (_e1319 << bitcast<u32>(11i)));
+                                                        let _e1329 = phi_1471_;
+                                                        if _e1218 {
+                                                            phi_1491_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1485_ = (_e1319 >> bitcast<u32>(10i));
+                                                            phi_1491_ = (_e1320 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1343 = phi_1485_;
-                                                        if _e1233 {
-                                                            phi_1505_ = ((_e1313 >> bitcast<u32>(21i)) | (_e1319 << bitcast<u32>(11i)));
+                                                        let _e1344 = phi_1491_;
+                                                        if _e1234 {
+                                                            phi_1511_ = ((_e1314 >> bitcast<u32>(21i)) | (_e1320 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1505_ = (_e1319 >> bitcast<u32>(10i));
+                                                            phi_1511_ = (_e1320 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1358 = phi_1505_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1210, _e1194, _e298) & 2097151u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1226, _e1194, _e337) & 2097151u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1242, _e1194, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1270, _e1255, _e298) & 2097151u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1285, _e1255, _e337) & 2097151u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1300, _e1255, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e542.member.member.x + (f32(bitcast<i32>((select(_e1328, _e1313, _e298) & 2097151u))) * _e139)), (_e542.member.member.y + (f32(bitcast<i32>((select(_e1343, _e1313, _e337) & 2097151u))) * _e139)), (_e542.member.member.z + (f32(bitcast<i32>((select(_e1358, _e1313, _e375) & 2097151u))) * _e139))));
+                                                        let _e1359 = phi_1511_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1211, _e1195, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1227, _e1195, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1243, _e1195, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1271, _e1256, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1286, _e1256, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1301, _e1256, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e543.member.member.x + (f32(bitcast<i32>((select(_e1329, _e1314, _e299) & 2097151u))) * _e140)), (_e543.member.member.y + (f32(bitcast<i32>((select(_e1344, _e1314, _e338) & 2097151u))) * _e140)), (_e543.member.member.z + (f32(bitcast<i32>((select(_e1359, _e1314, _e376) & 2097151u))) * _e140))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1103 = (_e1101 + _e259);
-                                                        let _e1104 = (_e1103 < _e91);
-                                                        if _e1104 {
-                                                            if _e1104 {
+                                                        let _e1104 = (_e1102 + _e260);
+                                                        let _e1105 = (_e1104 < _e92);
+                                                        if _e1105 {
+                                                            if _e1105 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1106 = global_6.member[_e1103];
-                                                            phi_1532_ = _e1106;
+                                                            let _e1107 = global_6.member[_e1104];
+                                                            phi_1538_ = _e1107;
                                                         } else {
-                                                            phi_1532_ = 0u;
+                                                            phi_1538_ = 0u;
                                                         }
-                                                        let _e1108 = phi_1532_;
-                                                        let _e1112 = (_e1101 + _e258);
-                                                        let _e1113 = (_e1112 < _e91);
-                                                        if _e1113 {
-                                                            if _e1113 {
+                                                        let _e1109 = phi_1538_;
+                                                        let _e1113 = (_e1102 + _e259);
+                                                        let _e1114 = (_e1113 < _e92);
+                                                        if _e1114 {
+                                                            if _e1114 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1115 = global_6.member[_e1112];
-                                                            phi_1550_ = _e1115;
+                                                            let _e1116 = global_6.member[_e1113];
+                                                            phi_1556_ = _e1116;
                                                         } else {
-                                                            phi_1550_ = 0u;
+                                                            phi_1556_ = 0u;
                                                         }
-                                                        let _e1117 = phi_1550_;
-                                                        let _e1121 = (_e1101 + _e260);
-                                                        let _e1122 = (_e1121 < _e91);
-                                                        if _e1122 {
-                                                            if _e1122 {
+                                                        let _e1118 = phi_1556_;
+                                                        let _e1122 = (_e1102 + _e261);
+                                                        let _e1123 = (_e1122 < _e92);
+                                                        if _e1123 {
+                                                            if _e1123 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1124 = global_6.member[_e1121];
-                                                            phi_1568_ = _e1124;
+                                                            let _e1125 = global_6.member[_e1122];
+                                                            phi_1574_ = _e1125;
                                                         } else {
-                                                            phi_1568_ = 0u;
+                                                            phi_1574_ = 0u;
                                                         }
-                                                        let _e1126 = phi_1568_;
-                                                        let _e1131 = (_e1101 + 3u);
-                                                        let _e1132 = (_e1131 + _e259);
-                                                        let _e1133 = (_e1132 < _e91);
-                                                        if _e1133 {
-                                                            if _e1133 {
+                                                        let _e1127 = phi_1574_;
+                                                        let _e1132 = (_e1102 + 3u);
+                                                        let _e1133 = (_e1132 + _e260);
+                                                        let _e1134 = (_e1133 < _e92);
+                                                        if _e1134 {
+                                                            if _e1134 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1135 = global_6.member[_e1132];
-                                                            phi_1588_ = _e1135;
+                                                            let _e1136 = global_6.member[_e1133];
+                                                            phi_1594_ = _e1136;
                                                         } else {
-                                                            phi_1588_ = 0u;
+                                                            phi_1594_ = 0u;
                                                         }
-                                                        let _e1137 = phi_1588_;
-                                                        let _e1141 = (_e1131 + _e258);
-                                                        let _e1142 = (_e1141 < _e91);
-                                                        if _e1142 {
-                                                            if _e1142 {
+                                                        let _e1138 = phi_1594_;
+                                                        let _e1142 = (_e1132 + _e259);
+                                                        let _e1143 = (_e1142 < _e92);
+                                                        if _e1143 {
+                                                            if _e1143 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1144 = global_6.member[_e1141];
-                                                            phi_1606_ = _e1144;
+                                                            let _e1145 = global_6.member[_e1142];
+                                                            phi_1612_ = _e1145;
                                                         } else {
-                                                            phi_1606_ = 0u;
+                                                            phi_1612_ = 0u;
                                                         }
-                                                        let _e1146 = phi_1606_;
-                                                        let _e1150 = (_e1131 + _e260);
-                                                        let _e1151 = (_e1150 < _e91);
-                                                        if _e1151 {
-                                                            if _e1151 {
+                                                        let _e1147 = phi_1612_;
+                                                        let _e1151 = (_e1132 + _e261);
+                                                        let _e1152 = (_e1151 < _e92);
+                                                        if _e1152 {
+                                                            if _e1152 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1153 = global_6.member[_e1150];
-                                                            phi_1624_ = _e1153;
+                                                            let _e1154 = global_6.member[_e1151];
+                                                            phi_1630_ = _e1154;
                                                         } else {
-                                                            phi_1624_ = 0u;
+                                                            phi_1630_ = 0u;
                                                         }
-                                                        let _e1155 = phi_1624_;
-                                                        let _e1160 = (_e1101 + 6u);
-                                                        let _e1161 = (_e1160 + _e259);
-                                                        let _e1162 = (_e1161 < _e91);
-                                                        if _e1162 {
-                                                            if _e1162 {
+                                                        let _e1156 = phi_1630_;
+                                                        let _e1161 = (_e1102 + 6u);
+                                                        let _e1162 = (_e1161 + _e260);
+                                                        let _e1163 = (_e1162 < _e92);
+                                                        if _e1163 {
+                                                            if _e1163 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1164 = global_6.member[_e1161];
-                                                            phi_1644_ = _e1164;
+                                                            let _e1165 = global_6.member[_e1162];
+                                                            phi_1650_ = _e1165;
                                                         } else {
-                                                            phi_1644_ = 0u;
+                                                            phi_1650_ = 0u;
                                                         }
-                                                        let _e1166 = phi_1644_;
-                                                        let _e1170 = (_e1160 + _e258);
-                                                        let _e1171 = (_e1170 < _e91);
-                                                        if _e1171 {
-                                                            if _e1171 {
+                                                        let _e1167 = phi_1650_;
+                                                        let _e1171 = (_e1161 + _e259);
+                                                        let _e1172 = (_e1171 < _e92);
+                                                        if _e1172 {
+                                                            if _e1172 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1173 = global_6.member[_e1170];
-                                                            phi_1662_ = _e1173;
+                                                            let _e1174 = global_6.member[_e1171];
+                                                            phi_1668_ = _e1174;
                                                         } else {
-                                                            phi_1662_ = 0u;
+                                                            phi_1668_ = 0u;
                                                         }
-                                                        let _e1175 = phi_1662_;
-                                                        let _e1179 = (_e1160 + _e260);
-                                                        let _e1180 = (_e1179 < _e91);
-                                                        if _e1180 {
-                                                            if _e1180 {
+                                                        let _e1176 = phi_1668_;
+                                                        let _e1180 = (_e1161 + _e261);
+                                                        let _e1181 = (_e1180 < _e92);
+                                                        if _e1181 {
+                                                            if _e1181 {
                                                             } else {
-                                                                phi_3733_ = true;
+                                                                phi_4006_ = true;
                                                                 break;
                                                             }
-                                                            let _e1182 = global_6.member[_e1179];
-                                                            phi_1680_ = _e1182;
+                                                            let _e1183 = global_6.member[_e1180];
+                                                            phi_1686_ = _e1183;
                                                         } else {
-                                                            phi_1680_ = 0u;
+                                                            phi_1686_ = 0u;
                                                         }
-                                                        let _e1184 = phi_1680_;
-                                                        phi_1686_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1108)) * _e139), (f32(bitcast<i32>(_e1117)) * _e139), (f32(bitcast<i32>(_e1126)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1137)) * _e139), (f32(bitcast<i32>(_e1146)) * _e139), (f32(bitcast<i32>(_e1155)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1166)) * _e139), (f32(bitcast<i32>(_e1175)) * _e139), (f32(bitcast<i32>(_e1184)) * _e139)));
+                                                        let _e1185 = phi_1686_;
+                                                        phi_1692_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1109)) * _e140), (f32(bitcast<i32>(_e1118)) * _e140), (f32(bitcast<i32>(_e1127)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1138)) * _e140), (f32(bitcast<i32>(_e1147)) * _e140), (f32(bitcast<i32>(_e1156)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1167)) * _e140), (f32(bitcast<i32>(_e1176)) * _e140), (f32(bitcast<i32>(_e1185)) * _e140)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1686_ = array<array<f32, 3>, 3>();
+                                                        phi_1692_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1458 = phi_1686_;
-                                                let _e1466 = (_e1458[0][2] - _e385);
-                                                let _e1469 = (((_e1458[0][0] - _e308) * _e409) - (_e1466 * _e333));
-                                                let _e1472 = (((_e1458[0][1] - _e347) * _e409) - (_e1466 * _e371));
-                                                let _e1479 = (_e1458[1][2] - _e385);
-                                                let _e1482 = (((_e1458[1][0] - _e308) * _e409) - (_e1479 * _e333));
-                                                let _e1485 = (((_e1458[1][1] - _e347) * _e409) - (_e1479 * _e371));
-                                                let _e1492 = (_e1458[2][2] - _e385);
-                                                let _e1495 = (((_e1458[2][0] - _e308) * _e409) - (_e1492 * _e333));
-                                                let _e1498 = (((_e1458[2][1] - _e347) * _e409) - (_e1492 * _e371));
-                                                let _e1499 = (_e1495 * _e1485);
-                                                let _e1500 = (_e1498 * _e1482);
-                                                let _e1501 = (_e1469 * _e1498);
-                                                let _e1502 = (_e1472 * _e1495);
-                                                let _e1503 = (_e1482 * _e1472);
-                                                let _e1504 = (_e1485 * _e1469);
-                                                let _e1509 = (((_e1499 >= _e1500) && (_e1501 >= _e1502)) && (_e1503 >= _e1504));
-                                                if (_e1509 || (((_e1499 <= _e1500) && (_e1501 <= _e1502)) && (_e1503 <= _e1504))) {
-                                                    let _e1516 = select(-1f, 1f, _e1509);
-                                                    let _e1518 = ((_e1499 - _e1500) * _e1516);
-                                                    let _e1520 = select(0f, _e1518, (_e1518 > 0f));
-                                                    let _e1522 = ((_e1501 - _e1502) * _e1516);
-                                                    let _e1524 = select(0f, _e1522, (_e1522 > 0f));
-                                                    let _e1526 = ((_e1503 - _e1504) * _e1516);
-                                                    let _e1528 = select(0f, _e1526, (_e1526 > 0f));
-                                                    let _e1530 = ((_e1520 + _e1524) + _e1528);
-                                                    if (_e1530 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2252_ = type_20();
-                                                        phi_2253_ = true;
+                                                let _e1459 = phi_1692_;
+                                                let _e1467 = (_e1459[0][2] - _e386);
+                                                let _e1470 = (((_e1459[0][0] - _e309) * _e410) - (_e1467 * _e334));
+                                                let _e1473 = (((_e1459[0][1] - _e348) * _e410) - (_e1467 * _e372));
+                                                let _e1480 = (_e1459[1][2] - _e386);
+                                                let _e1483 = (((_e1459[1][0] - _e309) * _e410) - (_e1480 * _e334));
+                                                let _e1486 = (((_e1459[1][1] - _e348) * _e410) - (_e1480 * _e372));
+                                                let _e1493 = (_e1459[2][2] - _e386);
+                                                let _e1496 = (((_e1459[2][0] - _e309) * _e410) - (_e1493 * _e334));
+                                                let _e1499 = (((_e1459[2][1] - _e348) * _e410) - (_e1493 * _e372));
+                                                let _e1500 = (_e1496 * _e1486);
+                                                let _e1501 = (_e1499 * _e1483);
+                                                let _e1502 = (_e1470 * _e1499);
+                                                let _e1503 = (_e1473 * _e1496);
+                                                let _e1504 = (_e1483 * _e1473);
+                                                let _e1505 = (_e1486 * _e1470);
+                                                let _e1510 = (((_e1500 >= _e1501) && (_e1502 >= _e1503)) && (_e1504 >= _e1505));
+                                                if (_e1510 || (((_e1500 <= _e1501) && (_e1502 <= _e1503)) && (_e1504 <= _e1505))) {
+                                                    let _e1517 = select(-1f, 1f, _e1510);
+                                                    let _e1519 = ((_e1500 - _e1501) * _e1517);
+                                                    let _e1521 = select(0f, _e1519, (_e1519 > 0f));
+                                                    let _e1523 = ((_e1502 - _e1503) * _e1517);
+                                                    let _e1525 = select(0f, _e1523, (_e1523 > 0f));
+                                                    let _e1527 = ((_e1504 - _e1505) * _e1517);
+                                                    let _e1529 = select(0f, _e1527, (_e1527 > 0f));
+                                                    let _e1531 = ((_e1521 + _e1525) + _e1529);
+                                                    if (_e1531 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2520_ = type_20();
+                                                        phi_2521_ = true;
+                                                        phi_2522_ = false;
                                                     } else {
-                                                        let _e1533 = select(_e1458[1][0], _e1458[0][0], (_e1458[0][0] < _e1458[1][0]));
-                                                        let _e1537 = select(_e1458[1][0], _e1458[0][0], (_e1458[0][0] > _e1458[1][0]));
-                                                        let _e1541 = select(_e1458[1][1], _e1458[0][1], (_e1458[0][1] < _e1458[1][1]));
-                                                        let _e1545 = select(_e1458[1][1], _e1458[0][1], (_e1458[0][1] > _e1458[1][1]));
-                                                        let _e1549 = select(_e1458[1][2], _e1458[0][2], (_e1458[0][2] < _e1458[1][2]));
-                                                        let _e1553 = select(_e1458[1][2], _e1458[0][2], (_e1458[0][2] > _e1458[1][2]));
-                                                        let _e1558 = ((select(_e1458[2][0], _e1533, (_e1533 < _e1458[2][0])) - _e331) * _e336);
-                                                        let _e1559 = ((select(_e1458[2][0], _e1537, (_e1537 > _e1458[2][0])) - _e332) * _e336);
-                                                        let _e1562 = ((select(_e1458[2][1], _e1541, (_e1541 < _e1458[2][1])) - _e369) * _e374);
-                                                        let _e1563 = ((select(_e1458[2][1], _e1545, (_e1545 > _e1458[2][1])) - _e370) * _e374);
-                                                        let _e1566 = ((select(_e1458[2][2], _e1549, (_e1549 < _e1458[2][2])) - _e407) * _e412);
-                                                        let _e1567 = ((select(_e1458[2][2], _e1553, (_e1553 > _e1458[2][2])) - _e408) * _e412);
-                                                        let _e1569 = select(_e1567, _e1566, (_e1566 < _e1567));
-                                                        let _e1571 = select(_e1567, _e1566, (_e1566 > _e1567));
-                                                        let _e1573 = select(_e1559, _e1558, (_e1558 < _e1559));
-                                                        let _e1575 = select(_e1563, _e1562, (_e1562 < _e1563));
-                                                        let _e1577 = select(_e1575, _e1573, (_e1573 > _e1575));
-                                                        let _e1579 = select(_e1569, _e1577, (_e1577 > _e1569));
-                                                        let _e1581 = select(_e1559, _e1558, (_e1558 > _e1559));
-                                                        let _e1583 = select(_e1563, _e1562, (_e1562 > _e1563));
-                                                        let _e1585 = select(_e1583, _e1581, (_e1581 < _e1583));
-                                                        let _e1587 = select(_e1571, _e1585, (_e1585 < _e1571));
-                                                        let _e1588 = -(_e1569);
-                                                        let _e1594 = select(_e459, _e1579, (_e1579 > _e459));
-                                                        if (_e1594 > (_e1587 + (select(_e1588, _e1571, (_e1571 > _e1588)) * 0.0000019073523f))) {
-                                                            phi_2247_ = type_20();
-                                                            phi_2248_ = true;
+                                                        let _e1534 = select(_e1483, _e1470, (_e1470 < _e1483));
+                                                        if (select(_e1496, _e1534, (_e1534 < _e1496)) > 0f) {
+                                                            phi_1809_ = true;
                                                         } else {
-                                                            let _e1596 = (_e1594 > _e1029.member);
-                                                            if _e1596 {
-                                                                phi_2246_ = type_20();
+                                                            let _e1539 = select(_e1483, _e1470, (_e1470 > _e1483));
+                                                            phi_1809_ = (select(_e1496, _e1539, (_e1539 > _e1496)) < 0f);
+                                                        }
+                                                        let _e1544 = phi_1809_;
+                                                        if _e1544 {
+                                                            phi_2517_ = type_20();
+                                                            phi_2518_ = true;
+                                                            phi_2519_ = false;
+                                                        } else {
+                                                            let _e1546 = select(_e1486, _e1473, (_e1473 < _e1486));
+                                                            if (select(_e1499, _e1546, (_e1546 < _e1499)) > 0f) {
+                                                                phi_1838_ = true;
                                                             } else {
-                                                                let _e1600 = (_e1458[1][0] - _e1458[0][0]);
-                                                                let _e1601 = (_e1458[1][1] - _e1458[0][1]);
-                                                                let _e1602 = (_e1458[1][2] - _e1458[0][2]);
-                                                                let _e1603 = vec3<f32>(_e1600, _e1601, _e1602);
-                                                                let _e1604 = (_e1458[2][0] - _e1458[1][0]);
-                                                                let _e1605 = (_e1458[2][1] - _e1458[1][1]);
-                                                                let _e1606 = (_e1458[2][2] - _e1458[1][2]);
-                                                                let _e1607 = vec3<f32>(_e1604, _e1605, _e1606);
-                                                                let _e1608 = (_e1458[0][0] - _e1458[2][0]);
-                                                                let _e1609 = (_e1458[0][1] - _e1458[2][1]);
-                                                                let _e1610 = (_e1458[0][2] - _e1458[2][2]);
-                                                                let _e1611 = vec3<f32>(_e1608, _e1609, _e1610);
-                                                                let _e1614 = bitcast<f32>((bitcast<u32>(_e1600) & 2147483647u));
-                                                                let _e1617 = bitcast<f32>((bitcast<u32>(_e1601) & 2147483647u));
-                                                                let _e1619 = select(_e1617, _e1614, (_e1614 > _e1617));
-                                                                let _e1622 = bitcast<f32>((bitcast<u32>(_e1602) & 2147483647u));
-                                                                let _e1624 = select(_e1622, _e1619, (_e1619 > _e1622));
-                                                                let _e1627 = bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u));
-                                                                let _e1630 = bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u));
-                                                                let _e1632 = select(_e1630, _e1627, (_e1627 > _e1630));
-                                                                let _e1635 = bitcast<f32>((bitcast<u32>(_e1606) & 2147483647u));
-                                                                let _e1637 = select(_e1635, _e1632, (_e1632 > _e1635));
-                                                                let _e1640 = bitcast<f32>((bitcast<u32>(_e1608) & 2147483647u));
-                                                                let _e1643 = bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u));
-                                                                let _e1645 = select(_e1643, _e1640, (_e1640 > _e1643));
-                                                                let _e1648 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
-                                                                let _e1650 = select(_e1648, _e1645, (_e1645 > _e1648));
-                                                                let _e1652 = select(_e1637, _e1624, (_e1624 > _e1637));
-                                                                let _e1654 = select(_e1650, _e1652, (_e1652 > _e1650));
-                                                                if (_e1624 == _e1654) {
-                                                                    phi_2157_ = _e1607;
-                                                                    phi_2158_ = _e1611;
+                                                                let _e1551 = select(_e1486, _e1473, (_e1473 > _e1486));
+                                                                phi_1838_ = (select(_e1499, _e1551, (_e1551 > _e1499)) < 0f);
+                                                            }
+                                                            let _e1556 = phi_1838_;
+                                                            if _e1556 {
+                                                                phi_2515_ = type_20();
+                                                                phi_2516_ = false;
+                                                            } else {
+                                                                let _e1558 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] < _e1459[1][0]));
+                                                                let _e1562 = select(_e1459[1][0], _e1459[0][0], (_e1459[0][0] > _e1459[1][0]));
+                                                                let _e1566 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] < _e1459[1][1]));
+                                                                let _e1570 = select(_e1459[1][1], _e1459[0][1], (_e1459[0][1] > _e1459[1][1]));
+                                                                let _e1574 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] < _e1459[1][2]));
+                                                                let _e1578 = select(_e1459[1][2], _e1459[0][2], (_e1459[0][2] > _e1459[1][2]));
+                                                                let _e1583 = ((select(_e1459[2][0], _e1558, (_e1558 < _e1459[2][0])) - _e332) * _e337);
+                                                                let _e1584 = ((select(_e1459[2][0], _e1562, (_e1562 > _e1459[2][0])) - _e333) * _e337);
+                                                                let _e1587 = ((select(_e1459[2][1], _e1566, (_e1566 < _e1459[2][1])) - _e370) * _e375);
+                                                                let _e1588 = ((select(_e1459[2][1], _e1570, (_e1570 > _e1459[2][1])) - _e371) * _e375);
+                                                                let _e1591 = ((select(_e1459[2][2], _e1574, (_e1574 < _e1459[2][2])) - _e408) * _e413);
+                                                                let _e1592 = ((select(_e1459[2][2], _e1578, (_e1578 > _e1459[2][2])) - _e409) * _e413);
+                                                                let _e1594 = select(_e1592, _e1591, (_e1591 < _e1592));
+                                                                let _e1596 = select(_e1592, _e1591, (_e1591 > _e1592));
+                                                                let _e1598 = select(_e1584, _e1583, (_e1583 < _e1584));
+                                                                let _e1600 = select(_e1588, _e1587, (_e1587 < _e1588));
+                                                                let _e1602 = select(_e1600, _e1598, (_e1598 > _e1600));
+                                                                let _e1604 = select(_e1594, _e1602, (_e1602 > _e1594));
+                                                                let _e1606 = select(_e1584, _e1583, (_e1583 > _e1584));
+                                                                let _e1608 = select(_e1588, _e1587, (_e1587 > _e1588));
+                                                                let _e1610 = select(_e1608, _e1606, (_e1606 < _e1608));
+                                                                let _e1612 = select(_e1596, _e1610, (_e1610 < _e1596));
+                                                                let _e1613 = -(_e1594);
+                                                                let _e1619 = select(_e460, _e1604, (_e1604 > _e460));
+                                                                if (_e1619 > (_e1612 + (select(_e1613, _e1596, (_e1596 > _e1613)) * 0.0000019073523f))) {
+                                                                    phi_2510_ = type_20();
+                                                                    phi_2511_ = true;
                                                                 } else {
-                                                                    let _e1657 = vec3((_e1637 == _e1654));
-                                                                    phi_2157_ = select(_e1603, _e1611, _e1657);
-                                                                    phi_2158_ = select(_e1607, _e1603, _e1657);
-                                                                }
-                                                                let _e1661 = phi_2157_;
-                                                                let _e1663 = phi_2158_;
-                                                                let _e1670 = ((_e1661.y * _e1663.z) - (_e1663.y * _e1661.z));
-                                                                let _e1675 = ((_e1661.z * _e1663.x) - (_e1663.z * _e1661.x));
-                                                                let _e1678 = ((_e1661.x * _e1663.y) - (_e1663.x * _e1661.y));
-                                                                if (_e1520 >= _e1524) {
-                                                                    phi_2189_ = select(true, false, (_e1520 >= _e1528));
-                                                                } else {
-                                                                    phi_2189_ = true;
-                                                                }
-                                                                let _e1683 = phi_2189_;
-                                                                if _e1683 {
-                                                                    phi_2198_ = select(vec3<f32>(_e1458[2][0], _e1458[2][1], _e1458[2][2]), vec3<f32>(_e1458[1][0], _e1458[1][1], _e1458[1][2]), vec3((_e1524 >= _e1528)));
-                                                                } else {
-                                                                    phi_2198_ = vec3<f32>(_e1458[0][0], _e1458[0][1], _e1458[0][2]);
-                                                                }
-                                                                let _e1688 = phi_2198_;
-                                                                let _e1705 = ((((_e1670 * (_e1688.x - _e308)) + (_e1675 * (_e1688.y - _e347))) + (_e1678 * (_e1688.z - _e385))) / (((_e1670 * _e333) + (_e1675 * _e371)) + (_e1678 * _e409)));
-                                                                let _e1707 = select(_e1587, _e1705, (_e1705 < _e1587));
-                                                                let _e1709 = select(_e1579, _e1707, (_e1707 > _e1579));
-                                                                if (_e1709 >= _e459) {
-                                                                    let _e1711 = (_e1709 <= _e1029.member);
-                                                                    if _e1711 {
-                                                                        let _e1712 = (1f / _e1530);
-                                                                        phi_2238_ = type_20(_e1709, (_e1524 * _e1712), (_e1528 * _e1712), _e1089);
+                                                                    let _e1621 = (_e1619 > _e1030.member);
+                                                                    if _e1621 {
+                                                                        phi_2509_ = type_20();
                                                                     } else {
-                                                                        phi_2238_ = type_20();
+                                                                        let _e1622 = vec3<f32>(_e1459[0][0], _e1459[0][1], _e1459[0][2]);
+                                                                        let _e1623 = vec3<f32>(_e1459[1][0], _e1459[1][1], _e1459[1][2]);
+                                                                        let _e1624 = vec3<f32>(_e1459[2][0], _e1459[2][1], _e1459[2][2]);
+                                                                        let _e1625 = (_e1459[1][0] - _e1459[0][0]);
+                                                                        let _e1626 = (_e1459[1][1] - _e1459[0][1]);
+                                                                        let _e1627 = (_e1459[1][2] - _e1459[0][2]);
+                                                                        let _e1628 = vec3<f32>(_e1625, _e1626, _e1627);
+                                                                        let _e1629 = (_e1459[2][0] - _e1459[1][0]);
+                                                                        let _e1630 = (_e1459[2][1] - _e1459[1][1]);
+                                                                        let _e1631 = (_e1459[2][2] - _e1459[1][2]);
+                                                                        let _e1632 = vec3<f32>(_e1629, _e1630, _e1631);
+                                                                        let _e1633 = (_e1459[0][0] - _e1459[2][0]);
+                                                                        let _e1634 = (_e1459[0][1] - _e1459[2][1]);
+                                                                        let _e1635 = (_e1459[0][2] - _e1459[2][2]);
+                                                                        let _e1636 = vec3<f32>(_e1633, _e1634, _e1635);
+                                                                        let _e1639 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
+                                                                        let _e1642 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
+                                                                        let _e1644 = select(_e1642, _e1639, (_e1639 > _e1642));
+                                                                        let _e1647 = bitcast<f32>((bitcast<u32>(_e1627) & 2147483647u));
+                                                                        let _e1649 = select(_e1647, _e1644, (_e1644 > _e1647));
+                                                                        let _e1652 = bitcast<f32>((bitcast<u32>(_e1629) & 2147483647u));
+                                                                        let _e1655 = bitcast<f32>((bitcast<u32>(_e1630) & 2147483647u));
+                                                                        let _e1657 = select(_e1655, _e1652, (_e1652 > _e1655));
+                                                                        let _e1660 = bitcast<f32>((bitcast<u32>(_e1631) & 2147483647u));
+                                                                        let _e1662 = select(_e1660, _e1657, (_e1657 > _e1660));
+                                                                        let _e1665 = bitcast<f32>((bitcast<u32>(_e1633) & 2147483647u));
+                                                                        let _e1668 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
+                                                                        let _e1670 = select(_e1668, _e1665, (_e1665 > _e1668));
+                                                                        let _e1673 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
+                                                                        let _e1675 = select(_e1673, _e1670, (_e1670 > _e1673));
+                                                                        let _e1677 = select(_e1662, _e1649, (_e1649 > _e1662));
+                                                                        let _e1679 = select(_e1675, _e1677, (_e1677 > _e1675));
+                                                                        if (_e1649 == _e1679) {
+                                                                            phi_2239_ = _e1486;
+                                                                            phi_2240_ = _e1483;
+                                                                            phi_2241_ = _e1473;
+                                                                            phi_2242_ = _e1470;
+                                                                            phi_2243_ = _e1622;
+                                                                            phi_2244_ = _e1636;
+                                                                            phi_2245_ = _e1632;
+                                                                            phi_2246_ = _e1628;
+                                                                        } else {
+                                                                            let _e1681 = (_e1662 == _e1679);
+                                                                            let _e1686 = vec3(_e1681);
+                                                                            phi_2239_ = select(_e1473, _e1499, _e1681);
+                                                                            phi_2240_ = select(_e1470, _e1496, _e1681);
+                                                                            phi_2241_ = select(_e1499, _e1486, _e1681);
+                                                                            phi_2242_ = select(_e1496, _e1483, _e1681);
+                                                                            phi_2243_ = select(_e1624, _e1623, _e1686);
+                                                                            phi_2244_ = select(_e1632, _e1628, _e1686);
+                                                                            phi_2245_ = select(_e1628, _e1636, _e1686);
+                                                                            phi_2246_ = select(_e1636, _e1632, _e1686);
+                                                                        }
+                                                                        let _e1692 = phi_2239_;
+                                                                        let _e1694 = phi_2240_;
+                                                                        let _e1696 = phi_2241_;
+                                                                        let _e1698 = phi_2242_;
+                                                                        let _e1700 = phi_2243_;
+                                                                        let _e1702 = phi_2244_;
+                                                                        let _e1704 = phi_2245_;
+                                                                        let _e1706 = phi_2246_;
+                                                                        let _e1713 = ((_e1704.y * _e1702.z) - (_e1702.y * _e1704.z));
+                                                                        let _e1718 = ((_e1704.z * _e1702.x) - (_e1702.z * _e1704.x));
+                                                                        let _e1721 = ((_e1704.x * _e1702.y) - (_e1702.x * _e1704.y));
+                                                                        if (_e1521 >= _e1525) {
+                                                                            phi_2277_ = select(true, false, (_e1521 >= _e1529));
+                                                                        } else {
+                                                                            phi_2277_ = true;
+                                                                        }
+                                                                        let _e1726 = phi_2277_;
+                                                                        if _e1726 {
+                                                                            phi_2286_ = select(_e1624, _e1623, vec3((_e1525 >= _e1529)));
+                                                                        } else {
+                                                                            phi_2286_ = _e1622;
+                                                                        }
+                                                                        let _e1731 = phi_2286_;
+                                                                        let _e1736 = (((_e1713 * _e334) + (_e1718 * _e372)) + (_e1721 * _e410));
+                                                                        let _e1747 = (((_e1713 * (_e1731.x - _e309)) + (_e1718 * (_e1731.y - _e348))) + (_e1721 * (_e1731.z - _e386)));
+                                                                        let _e1749 = (_e1694 - _e1698);
+                                                                        let _e1750 = (_e1692 - _e1696);
+                                                                        let _e1758 = (-(((_e1698 * _e1749) + (_e1696 * _e1750))) / ((_e1749 * _e1749) + (_e1750 * _e1750)));
+                                                                        let _e1760 = select(1f, _e1758, (_e1758 < 1f));
+                                                                        let _e1762 = select(0f, _e1760, (_e1760 > 0f));
+                                                                        let _e1775 = ((_e1700.x + (_e1706.x * _e1762)) - _e309);
+                                                                        let _e1776 = ((_e1700.y + (_e1706.y * _e1762)) - _e348);
+                                                                        let _e1777 = ((_e1700.z + (_e1706.z * _e1762)) - _e386);
+                                                                        let _e1778 = (_e1777 / _e410);
+                                                                        let _e1790 = bitcast<f32>((bitcast<u32>(_e1775) & 2147483647u));
+                                                                        let _e1793 = bitcast<f32>((bitcast<u32>(_e1776) & 2147483647u));
+                                                                        let _e1795 = select(_e1793, _e1790, (_e1790 > _e1793));
+                                                                        let _e1798 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
+                                                                        let _e1800 = select(_e1798, _e1795, (_e1795 > _e1798));
+                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1713) & 2147483647u));
+                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1718) & 2147483647u));
+                                                                        let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
+                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1721) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1713 * _e1775) + (_e1718 * _e1776)) + (_e1721 * _e1777)) - _e1747)) & 2147483647u)) <= ((0.0000009536743f * select(_e1679, _e1800, (_e1800 > _e1679))) * select(_e1814, _e1811, (_e1811 > _e1814)))) {
+                                                                            let _e1824 = bitcast<f32>((bitcast<u32>(_e1704.x) & 2147483647u));
+                                                                            let _e1827 = bitcast<f32>((bitcast<u32>(_e1704.y) & 2147483647u));
+                                                                            let _e1829 = select(_e1827, _e1824, (_e1824 > _e1827));
+                                                                            let _e1832 = bitcast<f32>((bitcast<u32>(_e1704.z) & 2147483647u));
+                                                                            let _e1838 = bitcast<f32>((bitcast<u32>(_e1702.x) & 2147483647u));
+                                                                            let _e1841 = bitcast<f32>((bitcast<u32>(_e1702.y) & 2147483647u));
+                                                                            let _e1843 = select(_e1841, _e1838, (_e1838 > _e1841));
+                                                                            let _e1846 = bitcast<f32>((bitcast<u32>(_e1702.z) & 2147483647u));
+                                                                            phi_2453_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1736) & 2147483647u)) > ((0.0000038146973f * select(_e1832, _e1829, (_e1829 > _e1832))) * select(_e1846, _e1843, (_e1843 > _e1846)))));
+                                                                        } else {
+                                                                            phi_2453_ = true;
+                                                                        }
+                                                                        let _e1853 = phi_2453_;
+                                                                        if _e1853 {
+                                                                            let _e1864 = ((((_e1713 * (_e1775 - (_e334 * _e1778))) + (_e1718 * (_e1776 - (_e372 * _e1778)))) + (_e1721 * (_e1777 - _e1777))) / _e1736);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1864) & 2147483647u)) <= _e1679) {
+                                                                                phi_2477_ = (_e1778 + _e1864);
+                                                                            } else {
+                                                                                phi_2477_ = _e1778;
+                                                                            }
+                                                                            let _e1871 = phi_2477_;
+                                                                            phi_2478_ = _e1871;
+                                                                        } else {
+                                                                            phi_2478_ = (_e1747 / _e1736);
+                                                                        }
+                                                                        let _e1873 = phi_2478_;
+                                                                        let _e1875 = select(_e1612, _e1873, (_e1873 < _e1612));
+                                                                        let _e1877 = select(_e1604, _e1875, (_e1875 > _e1604));
+                                                                        if (_e1877 >= _e460) {
+                                                                            let _e1879 = (_e1877 <= _e1030.member);
+                                                                            if _e1879 {
+                                                                                let _e1880 = (1f / _e1531);
+                                                                                phi_2501_ = type_20(_e1877, (_e1525 * _e1880), (_e1529 * _e1880), _e1090);
+                                                                            } else {
+                                                                                phi_2501_ = type_20();
+                                                                            }
+                                                                            let _e1885 = phi_2501_;
+                                                                            phi_2503_ = _e1885;
+                                                                            phi_2504_ = select(true, false, _e1879);
+                                                                        } else {
+                                                                            phi_2503_ = type_20();
+                                                                            phi_2504_ = true;
+                                                                        }
+                                                                        let _e1888 = phi_2503_;
+                                                                        let _e1890 = phi_2504_;
+                                                                        if _e1890 {
+                                                                            phi_2508_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2508_ = _e1888;
+                                                                        }
+                                                                        let _e1892 = phi_2508_;
+                                                                        phi_2509_ = _e1892;
                                                                     }
-                                                                    let _e1717 = phi_2238_;
-                                                                    phi_2240_ = _e1717;
-                                                                    phi_2241_ = select(true, false, _e1711);
-                                                                } else {
-                                                                    phi_2240_ = type_20();
-                                                                    phi_2241_ = true;
+                                                                    let _e1894 = phi_2509_;
+                                                                    phi_2510_ = _e1894;
+                                                                    phi_2511_ = _e1621;
                                                                 }
-                                                                let _e1720 = phi_2240_;
-                                                                let _e1722 = phi_2241_;
-                                                                if _e1722 {
-                                                                    phi_2245_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_2245_ = _e1720;
-                                                                }
-                                                                let _e1724 = phi_2245_;
-                                                                phi_2246_ = _e1724;
+                                                                let _e1896 = phi_2510_;
+                                                                let _e1898 = phi_2511_;
+                                                                phi_2515_ = _e1896;
+                                                                phi_2516_ = _e1898;
                                                             }
-                                                            let _e1726 = phi_2246_;
-                                                            phi_2247_ = _e1726;
-                                                            phi_2248_ = _e1596;
+                                                            let _e1900 = phi_2515_;
+                                                            let _e1902 = phi_2516_;
+                                                            phi_2517_ = _e1900;
+                                                            phi_2518_ = _e1556;
+                                                            phi_2519_ = _e1902;
                                                         }
-                                                        let _e1728 = phi_2247_;
-                                                        let _e1730 = phi_2248_;
-                                                        phi_2252_ = _e1728;
-                                                        phi_2253_ = _e1730;
+                                                        let _e1904 = phi_2517_;
+                                                        let _e1906 = phi_2518_;
+                                                        let _e1908 = phi_2519_;
+                                                        phi_2520_ = _e1904;
+                                                        phi_2521_ = _e1906;
+                                                        phi_2522_ = _e1908;
                                                     }
-                                                    let _e1732 = phi_2252_;
-                                                    let _e1734 = phi_2253_;
-                                                    phi_2257_ = _e1732;
-                                                    phi_2258_ = _e1734;
+                                                    let _e1910 = phi_2520_;
+                                                    let _e1912 = phi_2521_;
+                                                    let _e1914 = phi_2522_;
+                                                    phi_2530_ = _e1910;
+                                                    phi_2531_ = select(_e1914, true, _e1912);
                                                 } else {
-                                                    phi_2257_ = type_20();
-                                                    phi_2258_ = true;
+                                                    phi_2530_ = type_20();
+                                                    phi_2531_ = true;
                                                 }
-                                                let _e1736 = phi_2257_;
-                                                let _e1738 = phi_2258_;
-                                                if _e1738 {
-                                                    phi_2262_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1917 = phi_2530_;
+                                                let _e1919 = phi_2531_;
+                                                if _e1919 {
+                                                    phi_2535_ = type_20(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2262_ = _e1736;
+                                                    phi_2535_ = _e1917;
                                                 }
-                                                let _e1740 = phi_2262_;
-                                                if (_e1740.member_3 != 4294967295u) {
-                                                    if (_e1089 != 4294967295u) {
-                                                        phi_2273_ = type_34(_e1029.member, true);
+                                                let _e1921 = phi_2535_;
+                                                if (_e1921.member_3 != 4294967295u) {
+                                                    if (_e1090 != 4294967295u) {
+                                                        phi_2546_ = type_34(_e1030.member, true);
                                                     } else {
-                                                        phi_2273_ = _e1029;
+                                                        phi_2546_ = _e1030;
                                                     }
-                                                    let _e1748 = phi_2273_;
-                                                    phi_2274_ = _e1748;
+                                                    let _e1929 = phi_2546_;
+                                                    phi_2547_ = _e1929;
                                                 } else {
-                                                    phi_2274_ = _e1029;
+                                                    phi_2547_ = _e1030;
                                                 }
-                                                let _e1750 = phi_2274_;
-                                                phi_968_ = _e1750;
+                                                let _e1931 = phi_2547_;
+                                                phi_974_ = _e1931;
                                             } else {
-                                                phi_968_ = type_34();
+                                                phi_974_ = type_34();
                                             }
-                                            let _e1752 = phi_968_;
+                                            let _e1933 = phi_974_;
                                             continue;
                                             continuing {
-                                                phi_967_ = _e1752;
-                                                phi_970_ = _e1044;
-                                                phi_3733_ = _e501;
-                                                break if !(_e1050);
+                                                phi_973_ = _e1933;
+                                                phi_976_ = _e1045;
+                                                phi_4006_ = _e502;
+                                                break if !(_e1051);
                                             }
                                         }
-                                        let _e1755 = phi_3733_;
-                                        phi_3891_ = _e1755;
-                                        if _e1755 {
+                                        let _e1936 = phi_4006_;
+                                        phi_4192_ = _e1936;
+                                        if _e1936 {
                                             break;
                                         }
-                                        let _e1757 = local_10;
-                                        phi_3895_ = _e1755;
-                                        let _e1938 = local_12;
-                                        phi_3515_ = _e1938;
-                                        phi_3516_ = _e542;
-                                        phi_3517_ = false;
-                                        phi_3518_ = select(_e546, 0u, _e1757.member_1);
+                                        let _e1938 = local_10;
+                                        phi_4196_ = _e1936;
+                                        let _e2136 = local_12;
+                                        phi_3788_ = _e2136;
+                                        phi_3789_ = _e543;
+                                        phi_3790_ = false;
+                                        phi_3791_ = select(_e547, 0u, _e1938.member_1);
                                     } else {
-                                        if (_e542.member_1 >= _e88) {
-                                            phi_3071_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e543.member_1 >= _e89) {
+                                            phi_3344_ = type_46(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_45(type_24(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e542.member_1 < _e88) {
+                                            if (_e543.member_1 < _e89) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e558 = (_e259 * 2u);
-                                            let _e560 = ((1u + _e558) % 7u);
-                                            if (_e560 < 7u) {
+                                            let _e559 = (_e260 * 2u);
+                                            let _e561 = ((1u + _e559) % 7u);
+                                            if (_e561 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e565 = global_5.member[_e542.member_1][_e560];
-                                            let _e567 = ((_e558 + 2u) % 7u);
-                                            if (_e567 < 7u) {
+                                            let _e566 = global_5.member[_e543.member_1][_e561];
+                                            let _e568 = ((_e559 + 2u) % 7u);
+                                            if (_e568 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e572 = global_5.member[_e542.member_1][_e567];
-                                            let _e573 = (_e258 * 2u);
-                                            let _e575 = ((1u + _e573) % 7u);
-                                            if (_e575 < 7u) {
+                                            let _e573 = global_5.member[_e543.member_1][_e568];
+                                            let _e574 = (_e259 * 2u);
+                                            let _e576 = ((1u + _e574) % 7u);
+                                            if (_e576 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e580 = global_5.member[_e542.member_1][_e575];
-                                            let _e582 = ((_e573 + 2u) % 7u);
-                                            if (_e582 < 7u) {
+                                            let _e581 = global_5.member[_e543.member_1][_e576];
+                                            let _e583 = ((_e574 + 2u) % 7u);
+                                            if (_e583 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e587 = global_5.member[_e542.member_1][_e582];
-                                            let _e588 = (_e260 * 2u);
-                                            let _e590 = ((1u + _e588) % 7u);
-                                            if (_e590 < 7u) {
+                                            let _e588 = global_5.member[_e543.member_1][_e583];
+                                            let _e589 = (_e261 * 2u);
+                                            let _e591 = ((1u + _e589) % 7u);
+                                            if (_e591 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e595 = global_5.member[_e542.member_1][_e590];
-                                            let _e597 = ((_e588 + 2u) % 7u);
-                                            if (_e597 < 7u) {
+                                            let _e596 = global_5.member[_e543.member_1][_e591];
+                                            let _e598 = ((_e589 + 2u) % 7u);
+                                            if (_e598 < 7u) {
                                             } else {
-                                                phi_3891_ = true;
+                                                phi_4192_ = true;
                                                 break;
                                             }
-                                            let _e602 = global_5.member[_e542.member_1][_e597];
-                                            let _e625 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.x - _e542.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e626 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.y - _e542.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e542.member.member_1.z - _e542.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e629 = select(_e139, _e625, (_e625 > _e139));
-                                            let _e631 = select(_e139, _e626, (_e626 > _e139));
-                                            let _e633 = select(_e139, _e627, (_e627 > _e139));
-                                            let _e658 = bitcast<u32>((f32(bitcast<i32>((_e565 & 2097151u))) * _e629));
-                                            let _e663 = (bitcast<i32>((_e565 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e666 = bitcast<f32>((_e658 & bitcast<u32>(_e663)));
-                                            let _e667 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e631));
-                                            let _e672 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e675 = bitcast<f32>((_e667 & bitcast<u32>(_e672)));
-                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e633));
-                                            let _e681 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
-                                            let _e688 = bitcast<f32>((_e658 & bitcast<u32>(~(_e663))));
-                                            let _e692 = bitcast<f32>((_e667 & bitcast<u32>(~(_e672))));
-                                            let _e696 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
-                                            let _e697 = bitcast<u32>((f32(bitcast<i32>((_e572 & 2097151u))) * _e629));
-                                            let _e702 = (bitcast<i32>((_e572 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e705 = bitcast<f32>((_e697 & bitcast<u32>(_e702)));
-                                            let _e706 = bitcast<u32>((f32(bitcast<i32>((_e587 & 2097151u))) * _e631));
-                                            let _e711 = (bitcast<i32>((_e587 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e714 = bitcast<f32>((_e706 & bitcast<u32>(_e711)));
-                                            let _e715 = bitcast<u32>((f32(bitcast<i32>((_e602 & 2097151u))) * _e633));
-                                            let _e720 = (bitcast<i32>((_e602 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e723 = bitcast<f32>((_e715 & bitcast<u32>(_e720)));
-                                            let _e727 = bitcast<f32>((_e697 & bitcast<u32>(~(_e702))));
-                                            let _e731 = bitcast<f32>((_e706 & bitcast<u32>(~(_e711))));
-                                            let _e735 = bitcast<f32>((_e715 & bitcast<u32>(~(_e720))));
-                                            let _e736 = (_e542.member.member.x + _e666);
-                                            let _e737 = (_e542.member.member.y + _e675);
-                                            let _e738 = (_e542.member.member.z + _e684);
-                                            let _e741 = (_e542.member.member_1.x - _e705);
-                                            let _e742 = (_e542.member.member_1.y - _e714);
-                                            let _e743 = (_e542.member.member_1.z - _e723);
-                                            let _e762 = (_e741 - _e736);
+                                            let _e603 = global_5.member[_e543.member_1][_e598];
+                                            let _e626 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.x - _e543.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.y - _e543.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e543.member.member_1.z - _e543.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e630 = select(_e140, _e626, (_e626 > _e140));
+                                            let _e632 = select(_e140, _e627, (_e627 > _e140));
+                                            let _e634 = select(_e140, _e628, (_e628 > _e140));
+                                            let _e659 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e630));
+                                            let _e664 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e667 = bitcast<f32>((_e659 & bitcast<u32>(_e664)));
+                                            let _e668 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e632));
+                                            let _e673 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
+                                            let _e677 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e634));
+                                            let _e682 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
+                                            let _e689 = bitcast<f32>((_e659 & bitcast<u32>(~(_e664))));
+                                            let _e693 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
+                                            let _e697 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
+                                            let _e698 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e630));
+                                            let _e703 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e706 = bitcast<f32>((_e698 & bitcast<u32>(_e703)));
+                                            let _e707 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e632));
+                                            let _e712 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
+                                            let _e716 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e634));
+                                            let _e721 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
+                                            let _e728 = bitcast<f32>((_e698 & bitcast<u32>(~(_e703))));
+                                            let _e732 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
+                                            let _e736 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
+                                            let _e737 = (_e543.member.member.x + _e667);
+                                            let _e738 = (_e543.member.member.y + _e676);
+                                            let _e739 = (_e543.member.member.z + _e685);
+                                            let _e742 = (_e543.member.member_1.x - _e706);
+                                            let _e743 = (_e543.member.member_1.y - _e715);
+                                            let _e744 = (_e543.member.member_1.z - _e724);
                                             let _e763 = (_e742 - _e737);
                                             let _e764 = (_e743 - _e738);
-                                            let _e766 = select(_e763, _e762, (_e762 > _e763));
-                                            let _e768 = select(_e764, _e766, (_e766 > _e764));
-                                            if (_e768 < (1024f * _e139)) {
-                                                phi_2772_ = 0u;
+                                            let _e765 = (_e744 - _e739);
+                                            let _e767 = select(_e764, _e763, (_e763 > _e764));
+                                            let _e769 = select(_e765, _e767, (_e767 > _e765));
+                                            if (_e769 < (1024f * _e140)) {
+                                                phi_3045_ = 0u;
                                             } else {
-                                                phi_2772_ = select(2u, 1u, (_e768 < (2097152f * _e139)));
+                                                phi_3045_ = select(2u, 1u, (_e769 < (2097152f * _e140)));
                                             }
-                                            let _e775 = phi_2772_;
-                                            switch bitcast<i32>(_e775) {
+                                            let _e776 = phi_3045_;
+                                            switch bitcast<i32>(_e776) {
                                                 case 0: {
-                                                    phi_2778_ = 1u;
+                                                    phi_3051_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2778_ = 2u;
+                                                    phi_3051_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2778_ = 3u;
+                                                    phi_3051_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2778_ = u32();
+                                                    phi_3051_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e778 = phi_2778_;
-                                            let _e784 = global_5.member[_e542.member_1][0u];
-                                            let _e788 = global_5.member[_e542.member_1][2u];
-                                            let _e792 = global_5.member[_e542.member_1][4u];
-                                            let _e796 = global_5.member[_e542.member_1][6u];
-                                            let _e808 = (((_e788 >> bitcast<u32>(22i)) | ((_e792 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e796 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e809 = (_e784 & 268435455u);
-                                            let _e810 = (_e808 & 268435455u);
-                                            let _e813 = ((_e784 >> bitcast<u32>(28u)) & 7u);
-                                            let _e821 = ((_e784 >> bitcast<u32>(31i)) | (((_e808 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e822 = (_e813 != 0u);
-                                            if (_e813 == 0u) {
-                                                phi_3033_ = _e809;
+                                            let _e779 = phi_3051_;
+                                            let _e785 = global_5.member[_e543.member_1][0u];
+                                            let _e789 = global_5.member[_e543.member_1][2u];
+                                            let _e793 = global_5.member[_e543.member_1][4u];
+                                            let _e797 = global_5.member[_e543.member_1][6u];
+                                            let _e809 = (((_e789 >> bitcast<u32>(22i)) | ((_e793 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e797 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e810 = (_e785 & 268435455u);
+                                            let _e811 = (_e809 & 268435455u);
+                                            let _e814 = ((_e785 >> bitcast<u32>(28u)) & 7u);
+                                            let _e822 = ((_e785 >> bitcast<u32>(31i)) | (((_e809 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e823 = (_e814 != 0u);
+                                            if (_e814 == 0u) {
+                                                phi_3306_ = _e810;
                                             } else {
-                                                if (_e813 == 7u) {
-                                                    phi_3032_ = 2147483648u;
+                                                if (_e814 == 7u) {
+                                                    phi_3305_ = 2147483648u;
                                                 } else {
-                                                    phi_3032_ = ((2147483648u | (_e813 << bitcast<u32>(28u))) | (_e810 & 268435455u));
+                                                    phi_3305_ = ((2147483648u | (_e814 << bitcast<u32>(28u))) | (_e811 & 268435455u));
                                                 }
-                                                let _e831 = phi_3032_;
-                                                phi_3033_ = _e831;
+                                                let _e832 = phi_3305_;
+                                                phi_3306_ = _e832;
                                             }
-                                            let _e833 = phi_3033_;
-                                            if _e822 {
-                                                let _e834 = (_e813 != 7u);
-                                                if _e834 {
-                                                    phi_3043_ = (_e810 + (_e813 * ((3u * _e778) + 1u)));
+                                            let _e834 = phi_3306_;
+                                            if _e823 {
+                                                let _e835 = (_e814 != 7u);
+                                                if _e835 {
+                                                    phi_3316_ = (_e811 + (_e814 * ((3u * _e779) + 1u)));
                                                 } else {
-                                                    phi_3043_ = u32();
+                                                    phi_3316_ = u32();
                                                 }
-                                                let _e838 = phi_3043_;
-                                                phi_3045_ = _e838;
-                                                phi_3046_ = select(true, false, _e834);
+                                                let _e839 = phi_3316_;
+                                                phi_3318_ = _e839;
+                                                phi_3319_ = select(true, false, _e835);
                                             } else {
-                                                phi_3045_ = u32();
-                                                phi_3046_ = true;
+                                                phi_3318_ = u32();
+                                                phi_3319_ = true;
                                             }
-                                            let _e841 = phi_3045_;
-                                            let _e843 = phi_3046_;
-                                            if (_e821 == 0u) {
-                                                phi_3067_ = (_e809 + select(0u, 1u, !(_e822)));
+                                            let _e842 = phi_3318_;
+                                            let _e844 = phi_3319_;
+                                            if (_e822 == 0u) {
+                                                phi_3340_ = (_e810 + select(0u, 1u, !(_e823)));
                                             } else {
-                                                if (_e821 == 7u) {
-                                                    phi_3066_ = 2147483648u;
+                                                if (_e822 == 7u) {
+                                                    phi_3339_ = 2147483648u;
                                                 } else {
-                                                    phi_3066_ = ((2147483648u | (_e821 << bitcast<u32>(28u))) | (select(_e841, _e810, _e843) & 268435455u));
+                                                    phi_3339_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (select(_e842, _e811, _e844) & 268435455u));
                                                 }
-                                                let _e856 = phi_3066_;
-                                                phi_3067_ = _e856;
+                                                let _e857 = phi_3339_;
+                                                phi_3340_ = _e857;
                                             }
-                                            let _e858 = phi_3067_;
-                                            phi_3071_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e736, (_e542.member.member.x + _e688), _e741, (_e542.member.member_1.x - _e727)), vec4<f32>(_e737, (_e542.member.member.y + _e692), _e742, (_e542.member.member_1.y - _e731)), vec4<f32>(_e738, (_e542.member.member.z + _e696), _e743, (_e542.member.member_1.z - _e735))), type_45(type_24((_e542.member.member + vec4<f32>(_e666, _e675, _e684, 0f)), (_e542.member.member_1 - vec4<f32>(_e705, _e714, _e723, 0f))), _e833), type_45(type_24((_e542.member.member + vec4<f32>(_e688, _e692, _e696, 0f)), (_e542.member.member_1 - vec4<f32>(_e727, _e731, _e735, 0f))), _e858));
+                                            let _e859 = phi_3340_;
+                                            phi_3344_ = type_46(array<vec4<f32>, 3>(vec4<f32>(_e737, (_e543.member.member.x + _e689), _e742, (_e543.member.member_1.x - _e728)), vec4<f32>(_e738, (_e543.member.member.y + _e693), _e743, (_e543.member.member_1.y - _e732)), vec4<f32>(_e739, (_e543.member.member.z + _e697), _e744, (_e543.member.member_1.z - _e736))), type_45(type_24((_e543.member.member + vec4<f32>(_e667, _e676, _e685, 0f)), (_e543.member.member_1 - vec4<f32>(_e706, _e715, _e724, 0f))), _e834), type_45(type_24((_e543.member.member + vec4<f32>(_e689, _e693, _e697, 0f)), (_e543.member.member_1 - vec4<f32>(_e728, _e732, _e736, 0f))), _e859));
                                         }
-                                        let _e863 = phi_3071_;
-                                        let _e875 = ((_e863.member[0].x - _e331) * _e336);
-                                        let _e876 = ((_e863.member[0].y - _e331) * _e336);
-                                        let _e877 = ((_e863.member[0].z - _e332) * _e336);
-                                        let _e878 = ((_e863.member[0].w - _e332) * _e336);
-                                        let _e888 = ((_e863.member[1].x - _e369) * _e374);
-                                        let _e889 = ((_e863.member[1].y - _e369) * _e374);
-                                        let _e890 = ((_e863.member[1].z - _e370) * _e374);
-                                        let _e891 = ((_e863.member[1].w - _e370) * _e374);
-                                        let _e901 = ((_e863.member[2].x - _e407) * _e412);
-                                        let _e902 = ((_e863.member[2].y - _e407) * _e412);
-                                        let _e903 = ((_e863.member[2].z - _e408) * _e412);
-                                        let _e904 = ((_e863.member[2].w - _e408) * _e412);
-                                        let _e906 = select(_e903, _e901, (_e901 < _e903));
-                                        let _e908 = select(_e904, _e902, (_e902 < _e904));
-                                        let _e910 = select(_e903, _e901, (_e901 > _e903));
-                                        let _e912 = select(_e904, _e902, (_e902 > _e904));
-                                        let _e914 = select(_e877, _e875, (_e875 < _e877));
-                                        let _e916 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e918 = select(_e890, _e888, (_e888 < _e890));
-                                        let _e920 = select(_e891, _e889, (_e889 < _e891));
-                                        let _e922 = select(_e918, _e914, (_e914 > _e918));
-                                        let _e924 = select(_e920, _e916, (_e916 > _e920));
-                                        let _e926 = select(_e906, _e922, (_e922 > _e906));
-                                        let _e928 = select(_e908, _e924, (_e924 > _e908));
-                                        let _e930 = select(_e877, _e875, (_e875 > _e877));
-                                        let _e932 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e934 = select(_e890, _e888, (_e888 > _e890));
-                                        let _e936 = select(_e891, _e889, (_e889 > _e891));
-                                        let _e938 = select(_e934, _e930, (_e930 < _e934));
-                                        let _e940 = select(_e936, _e932, (_e932 < _e936));
-                                        let _e945 = -(_e906);
-                                        let _e946 = -(_e908);
-                                        let _e953 = (select(_e910, _e938, (_e938 < _e910)) + (select(_e945, _e910, (_e910 > _e945)) * 0.0000019073523f));
-                                        let _e954 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e946, _e912, (_e912 > _e946)) * 0.0000019073523f));
-                                        let _e956 = select(_e459, _e926, (_e926 > _e459));
-                                        let _e958 = select(_e459, _e928, (_e928 > _e459));
-                                        let _e963 = (_e956 <= select(_e503.member, _e953, (_e953 < _e503.member)));
-                                        let _e964 = (_e958 <= select(_e503.member, _e954, (_e954 < _e503.member)));
-                                        let _e965 = (_e956 <= _e958);
-                                        if _e963 {
+                                        let _e864 = phi_3344_;
+                                        let _e876 = ((_e864.member[0].x - _e332) * _e337);
+                                        let _e877 = ((_e864.member[0].y - _e332) * _e337);
+                                        let _e878 = ((_e864.member[0].z - _e333) * _e337);
+                                        let _e879 = ((_e864.member[0].w - _e333) * _e337);
+                                        let _e889 = ((_e864.member[1].x - _e370) * _e375);
+                                        let _e890 = ((_e864.member[1].y - _e370) * _e375);
+                                        let _e891 = ((_e864.member[1].z - _e371) * _e375);
+                                        let _e892 = ((_e864.member[1].w - _e371) * _e375);
+                                        let _e902 = ((_e864.member[2].x - _e408) * _e413);
+                                        let _e903 = ((_e864.member[2].y - _e408) * _e413);
+                                        let _e904 = ((_e864.member[2].z - _e409) * _e413);
+                                        let _e905 = ((_e864.member[2].w - _e409) * _e413);
+                                        let _e907 = select(_e904, _e902, (_e902 < _e904));
+                                        let _e909 = select(_e905, _e903, (_e903 < _e905));
+                                        let _e911 = select(_e904, _e902, (_e902 > _e904));
+                                        let _e913 = select(_e905, _e903, (_e903 > _e905));
+                                        let _e915 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e917 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e919 = select(_e891, _e889, (_e889 < _e891));
+                                        let _e921 = select(_e892, _e890, (_e890 < _e892));
+                                        let _e923 = select(_e919, _e915, (_e915 > _e919));
+                                        let _e925 = select(_e921, _e917, (_e917 > _e921));
+                                        let _e927 = select(_e907, _e923, (_e923 > _e907));
+                                        let _e929 = select(_e909, _e925, (_e925 > _e909));
+                                        let _e931 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e933 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e935 = select(_e891, _e889, (_e889 > _e891));
+                                        let _e937 = select(_e892, _e890, (_e890 > _e892));
+                                        let _e939 = select(_e935, _e931, (_e931 < _e935));
+                                        let _e941 = select(_e937, _e933, (_e933 < _e937));
+                                        let _e946 = -(_e907);
+                                        let _e947 = -(_e909);
+                                        let _e954 = (select(_e911, _e939, (_e939 < _e911)) + (select(_e946, _e911, (_e911 > _e946)) * 0.0000019073523f));
+                                        let _e955 = (select(_e913, _e941, (_e941 < _e913)) + (select(_e947, _e913, (_e913 > _e947)) * 0.0000019073523f));
+                                        let _e957 = select(_e460, _e927, (_e927 > _e460));
+                                        let _e959 = select(_e460, _e929, (_e929 > _e460));
+                                        let _e964 = (_e957 <= select(_e504.member, _e954, (_e954 < _e504.member)));
+                                        let _e965 = (_e959 <= select(_e504.member, _e955, (_e955 < _e504.member)));
+                                        let _e966 = (_e957 <= _e959);
+                                        if _e964 {
+                                            if _e965 {
+                                                if _e966 {
+                                                    phi_3688_ = _e864.member_2;
+                                                } else {
+                                                    phi_3688_ = _e864.member_1;
+                                                }
+                                                let _e970 = phi_3688_;
+                                                let _e992 = (_e547 % 128u);
+                                                let _e993 = (_e992 < 128u);
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e992] = _e970.member_1;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e992] = _e970.member.member.x;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e992] = _e970.member.member.y;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e992] = _e970.member.member.z;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e992] = _e970.member.member_1.x;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e992] = _e970.member.member_1.y;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e992] = _e970.member.member_1.z;
+                                                if _e993 {
+                                                } else {
+                                                    phi_4192_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e992] = select(_e959, _e957, (_e957 > _e959));
+                                                if _e966 {
+                                                    phi_3765_ = _e864.member_1;
+                                                } else {
+                                                    phi_3765_ = _e864.member_2;
+                                                }
+                                                let _e1006 = phi_3765_;
+                                                phi_3766_ = _e1006;
+                                                phi_3767_ = (_e547 + 1u);
+                                            } else {
+                                                phi_3766_ = type_45();
+                                                phi_3767_ = u32();
+                                            }
+                                            let _e1008 = phi_3766_;
+                                            let _e1010 = phi_3767_;
+                                            phi_3769_ = _e1008;
+                                            phi_3770_ = _e1010;
+                                            phi_3771_ = select(true, false, _e965);
+                                        } else {
+                                            phi_3769_ = type_45();
+                                            phi_3770_ = u32();
+                                            phi_3771_ = true;
+                                        }
+                                        let _e1013 = phi_3769_;
+                                        let _e1015 = phi_3770_;
+                                        let _e1017 = phi_3771_;
+                                        if _e1017 {
                                             if _e964 {
-                                                if _e965 {
-                                                    phi_3415_ = _e863.member_2;
-                                                } else {
-                                                    phi_3415_ = _e863.member_1;
-                                                }
-                                                let _e969 = phi_3415_;
-                                                let _e991 = (_e546 % 128u);
-                                                let _e992 = (_e991 < 128u);
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e991] = _e969.member_1;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e991] = _e969.member.member.x;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e991] = _e969.member.member.y;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e991] = _e969.member.member.z;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e991] = _e969.member.member_1.x;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e991] = _e969.member.member_1.y;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e991] = _e969.member.member_1.z;
-                                                if _e992 {
-                                                } else {
-                                                    phi_3891_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e991] = select(_e958, _e956, (_e956 > _e958));
-                                                if _e965 {
-                                                    phi_3492_ = _e863.member_1;
-                                                } else {
-                                                    phi_3492_ = _e863.member_2;
-                                                }
-                                                let _e1005 = phi_3492_;
-                                                phi_3493_ = _e1005;
-                                                phi_3494_ = (_e546 + 1u);
+                                                phi_3780_ = _e864.member_1;
                                             } else {
-                                                phi_3493_ = type_45();
-                                                phi_3494_ = u32();
+                                                phi_3780_ = _e864.member_2;
                                             }
-                                            let _e1007 = phi_3493_;
-                                            let _e1009 = phi_3494_;
-                                            phi_3496_ = _e1007;
-                                            phi_3497_ = _e1009;
-                                            phi_3498_ = select(true, false, _e964);
+                                            let _e1021 = phi_3780_;
+                                            phi_3785_ = _e1021;
+                                            phi_3786_ = select(_e965, true, _e964);
                                         } else {
-                                            phi_3496_ = type_45();
-                                            phi_3497_ = u32();
-                                            phi_3498_ = true;
+                                            phi_3785_ = _e1013;
+                                            phi_3786_ = _e545;
                                         }
-                                        let _e1012 = phi_3496_;
-                                        let _e1014 = phi_3497_;
-                                        let _e1016 = phi_3498_;
-                                        if _e1016 {
-                                            if _e963 {
-                                                phi_3507_ = _e863.member_1;
-                                            } else {
-                                                phi_3507_ = _e863.member_2;
-                                            }
-                                            let _e1020 = phi_3507_;
-                                            phi_3512_ = _e1020;
-                                            phi_3513_ = select(_e964, true, _e963);
-                                        } else {
-                                            phi_3512_ = _e1012;
-                                            phi_3513_ = _e544;
-                                        }
-                                        let _e1023 = phi_3512_;
-                                        let _e1025 = phi_3513_;
-                                        phi_3895_ = _e501;
-                                        phi_3515_ = _e503;
-                                        phi_3516_ = _e1023;
-                                        phi_3517_ = _e1025;
-                                        phi_3518_ = select(_e1014, _e546, _e1016);
+                                        let _e1024 = phi_3785_;
+                                        let _e1026 = phi_3786_;
+                                        phi_4196_ = _e502;
+                                        phi_3788_ = _e504;
+                                        phi_3789_ = _e1024;
+                                        phi_3790_ = _e1026;
+                                        phi_3791_ = select(_e1015, _e547, _e1017);
                                     }
-                                    let _e1761 = phi_3895_;
-                                    let _e1763 = phi_3515_;
-                                    let _e1765 = phi_3516_;
-                                    let _e1767 = phi_3517_;
-                                    let _e1769 = phi_3518_;
-                                    phi_3894_ = _e1761;
-                                    phi_3519_ = _e1763;
-                                    phi_3520_ = _e1765;
-                                    phi_3521_ = (_e507 - 1u);
-                                    phi_3522_ = _e1767;
-                                    phi_3523_ = _e1769;
+                                    let _e1942 = phi_4196_;
+                                    let _e1944 = phi_3788_;
+                                    let _e1946 = phi_3789_;
+                                    let _e1948 = phi_3790_;
+                                    let _e1950 = phi_3791_;
+                                    phi_4195_ = _e1942;
+                                    phi_3792_ = _e1944;
+                                    phi_3793_ = _e1946;
+                                    phi_3794_ = (_e508 - 1u);
+                                    phi_3795_ = _e1948;
+                                    phi_3796_ = _e1950;
                                 } else {
-                                    phi_3894_ = _e501;
-                                    phi_3519_ = _e503;
-                                    phi_3520_ = _e542;
-                                    phi_3521_ = _e507;
-                                    phi_3522_ = _e544;
-                                    phi_3523_ = _e546;
+                                    phi_4195_ = _e502;
+                                    phi_3792_ = _e504;
+                                    phi_3793_ = _e543;
+                                    phi_3794_ = _e508;
+                                    phi_3795_ = _e545;
+                                    phi_3796_ = _e547;
                                 }
-                                let _e1771 = phi_3894_;
-                                let _e1773 = phi_3519_;
-                                let _e1775 = phi_3520_;
-                                let _e1777 = phi_3521_;
-                                let _e1779 = phi_3522_;
-                                let _e1781 = phi_3523_;
-                                phi_3893_ = _e1771;
-                                phi_3524_ = _e1773;
-                                phi_3525_ = _e1775;
-                                phi_3526_ = _e1777;
-                                phi_3527_ = _e1779;
-                                phi_3528_ = _e1781;
+                                let _e1952 = phi_4195_;
+                                let _e1954 = phi_3792_;
+                                let _e1956 = phi_3793_;
+                                let _e1958 = phi_3794_;
+                                let _e1960 = phi_3795_;
+                                let _e1962 = phi_3796_;
+                                phi_4194_ = _e1952;
+                                phi_3797_ = _e1954;
+                                phi_3798_ = _e1956;
+                                phi_3799_ = _e1958;
+                                phi_3800_ = _e1960;
+                                phi_3801_ = _e1962;
                             } else {
-                                phi_3893_ = _e501;
-                                phi_3524_ = type_34();
-                                phi_3525_ = type_45();
-                                phi_3526_ = u32();
-                                phi_3527_ = bool();
-                                phi_3528_ = u32();
+                                phi_4194_ = _e502;
+                                phi_3797_ = type_34();
+                                phi_3798_ = type_45();
+                                phi_3799_ = u32();
+                                phi_3800_ = bool();
+                                phi_3801_ = u32();
                             }
-                            let _e1783 = phi_3893_;
-                            let _e1785 = phi_3524_;
-                            let _e1787 = phi_3525_;
-                            let _e1789 = phi_3526_;
-                            let _e1791 = phi_3527_;
-                            let _e1793 = phi_3528_;
-                            phi_3892_ = _e1783;
-                            phi_841_ = _e1785;
-                            phi_844_ = _e1787;
-                            phi_846_ = _e1789;
-                            phi_848_ = _e1791;
-                            phi_850_ = _e1793;
-                            phi_3529_ = _e515;
+                            let _e1964 = phi_4194_;
+                            let _e1966 = phi_3797_;
+                            let _e1968 = phi_3798_;
+                            let _e1970 = phi_3799_;
+                            let _e1972 = phi_3800_;
+                            let _e1974 = phi_3801_;
+                            phi_4193_ = _e1964;
+                            phi_847_ = _e1966;
+                            phi_850_ = _e1968;
+                            phi_852_ = _e1970;
+                            phi_854_ = _e1972;
+                            phi_856_ = _e1974;
+                            phi_3802_ = _e516;
                         } else {
-                            phi_3892_ = _e501;
-                            phi_841_ = type_34();
-                            phi_844_ = type_45();
-                            phi_846_ = u32();
-                            phi_848_ = bool();
-                            phi_850_ = u32();
-                            phi_3529_ = false;
+                            phi_4193_ = _e502;
+                            phi_847_ = type_34();
+                            phi_850_ = type_45();
+                            phi_852_ = u32();
+                            phi_854_ = bool();
+                            phi_856_ = u32();
+                            phi_3802_ = false;
                         }
-                        let _e1795 = phi_3892_;
-                        let _e1797 = phi_841_;
-                        let _e1799 = phi_844_;
-                        let _e1801 = phi_846_;
-                        let _e1803 = phi_848_;
-                        let _e1805 = phi_850_;
-                        let _e1807 = phi_3529_;
+                        let _e1976 = phi_4193_;
+                        let _e1978 = phi_847_;
+                        let _e1980 = phi_850_;
+                        let _e1982 = phi_852_;
+                        let _e1984 = phi_854_;
+                        let _e1986 = phi_856_;
+                        let _e1988 = phi_3802_;
                         continue;
                         continuing {
-                            phi_3739_ = _e1795;
-                            phi_840_ = _e1797;
-                            phi_843_ = _e1799;
-                            phi_845_ = _e1801;
-                            phi_847_ = _e1803;
-                            phi_849_ = _e1805;
-                            phi_3891_ = _e1795;
-                            break if !(_e1807);
+                            phi_4012_ = _e1976;
+                            phi_846_ = _e1978;
+                            phi_849_ = _e1980;
+                            phi_851_ = _e1982;
+                            phi_853_ = _e1984;
+                            phi_855_ = _e1986;
+                            phi_4192_ = _e1976;
+                            break if !(_e1988);
                         }
                     }
-                    let _e1810 = phi_3891_;
-                    if _e1810 {
+                    let _e1991 = phi_4192_;
+                    if _e1991 {
                         break;
                     }
-                    let _e1812 = local_11;
-                    if _e147 {
+                    let _e1993 = local_11;
+                    if _e148 {
                     } else {
                         break;
                     }
-                    global_4.member[_e145] = select(0u, 1u, _e1812.member_1);
+                    global_4.member[_e146] = select(0u, 1u, _e1993.member_1);
                 }
             }
             break;

@@ -93,375 +93,392 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_323_: i32;
-    var phi_324_: i32;
-    var phi_334_: bool;
-    var phi_344_: u32;
-    var phi_345_: u32;
-    var phi_347_: bool;
-    var phi_352_: u32;
-    var phi_364_: i32;
-    var phi_384_: i32;
-    var phi_402_: f32;
-    var phi_408_: f32;
-    var phi_419_: f32;
-    var phi_425_: f32;
-    var phi_448_: f32;
-    var phi_459_: f32;
-    var phi_468_: f32;
-    var phi_474_: f32;
-    var phi_485_: f32;
-    var phi_491_: f32;
-    var phi_514_: f32;
-    var phi_525_: f32;
-    var phi_534_: f32;
-    var phi_540_: f32;
-    var phi_551_: f32;
-    var phi_557_: f32;
-    var phi_580_: f32;
-    var phi_591_: f32;
-    var phi_691_: f32;
-    var phi_692_: f32;
-    var phi_2704_: bool;
-    var phi_765_: type_33;
-    var phi_768_: type_49;
-    var phi_770_: u32;
-    var phi_772_: bool;
-    var phi_774_: u32;
-    var phi_785_: bool;
-    var phi_871_: type_49;
-    var phi_872_: bool;
-    var phi_873_: u32;
-    var phi_1656_: type_42;
-    var phi_2488_: type_49;
-    var phi_2565_: type_49;
-    var phi_2566_: type_49;
-    var phi_2567_: u32;
-    var phi_2569_: type_49;
-    var phi_2570_: u32;
-    var phi_2571_: bool;
-    var phi_2578_: type_49;
-    var phi_2583_: type_49;
-    var phi_2584_: bool;
-    var phi_891_: type_33;
-    var phi_894_: type_4;
-    var phi_895_: type_4;
-    var phi_917_: type_4;
-    var phi_938_: u32;
-    var phi_1027_: array<array<f32, 3>, 3>;
-    var phi_1498_: vec3<f32>;
-    var phi_1499_: vec3<f32>;
-    var phi_1530_: bool;
-    var phi_1539_: vec3<f32>;
-    var phi_1579_: type_22;
-    var phi_1581_: type_22;
-    var phi_1582_: bool;
-    var phi_1586_: type_22;
-    var phi_1587_: type_22;
-    var phi_1588_: type_22;
-    var phi_1589_: bool;
-    var phi_1593_: type_22;
-    var phi_1594_: bool;
-    var phi_1598_: type_22;
-    var phi_1599_: bool;
-    var phi_1603_: type_22;
-    var phi_1628_: bool;
-    var phi_1629_: bool;
-    var phi_1635_: type_33;
-    var phi_1636_: type_33;
-    var phi_1637_: type_33;
-    var phi_892_: type_33;
-    var phi_2698_: bool;
-    var phi_2816_: bool;
-    var phi_2586_: type_33;
-    var phi_2587_: type_49;
-    var phi_2588_: bool;
-    var phi_2589_: u32;
-    var phi_2815_: bool;
-    var phi_2590_: type_33;
-    var phi_2591_: type_49;
-    var phi_2592_: u32;
-    var phi_2593_: bool;
-    var phi_2594_: u32;
-    var phi_2814_: bool;
-    var phi_2595_: type_33;
-    var phi_2596_: type_49;
-    var phi_2597_: u32;
-    var phi_2598_: bool;
-    var phi_2599_: u32;
-    var phi_2813_: bool;
-    var phi_766_: type_33;
-    var phi_769_: type_49;
-    var phi_771_: u32;
-    var phi_773_: bool;
+    var phi_328_: i32;
+    var phi_329_: i32;
+    var phi_339_: bool;
+    var phi_349_: u32;
+    var phi_350_: u32;
+    var phi_352_: bool;
+    var phi_357_: u32;
+    var phi_369_: i32;
+    var phi_389_: i32;
+    var phi_407_: f32;
+    var phi_413_: f32;
+    var phi_424_: f32;
+    var phi_430_: f32;
+    var phi_453_: f32;
+    var phi_464_: f32;
+    var phi_473_: f32;
+    var phi_479_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
+    var phi_539_: f32;
+    var phi_545_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_596_: f32;
+    var phi_696_: f32;
+    var phi_697_: f32;
+    var phi_2976_: bool;
+    var phi_770_: type_33;
+    var phi_773_: type_49;
     var phi_775_: u32;
-    var phi_2600_: bool;
-    var phi_2812_: bool;
+    var phi_777_: bool;
+    var phi_779_: u32;
+    var phi_790_: bool;
+    var phi_876_: type_49;
+    var phi_877_: bool;
+    var phi_878_: u32;
+    var phi_1928_: type_42;
+    var phi_2760_: type_49;
+    var phi_2837_: type_49;
+    var phi_2838_: type_49;
+    var phi_2839_: u32;
+    var phi_2841_: type_49;
+    var phi_2842_: u32;
+    var phi_2843_: bool;
+    var phi_2850_: type_49;
+    var phi_2855_: type_49;
+    var phi_2856_: bool;
+    var phi_896_: type_33;
+    var phi_899_: type_4;
+    var phi_900_: type_4;
+    var phi_922_: type_4;
+    var phi_943_: u32;
+    var phi_1032_: array<array<f32, 3>, 3>;
+    var phi_1149_: bool;
+    var phi_1178_: bool;
+    var phi_1579_: f32;
+    var phi_1580_: f32;
+    var phi_1581_: f32;
+    var phi_1582_: f32;
+    var phi_1583_: vec3<f32>;
+    var phi_1584_: vec3<f32>;
+    var phi_1585_: vec3<f32>;
+    var phi_1586_: vec3<f32>;
+    var phi_1617_: bool;
+    var phi_1626_: vec3<f32>;
+    var phi_1793_: bool;
+    var phi_1817_: f32;
+    var phi_1818_: f32;
+    var phi_1841_: type_22;
+    var phi_1843_: type_22;
+    var phi_1844_: bool;
+    var phi_1848_: type_22;
+    var phi_1849_: type_22;
+    var phi_1850_: type_22;
+    var phi_1851_: bool;
+    var phi_1855_: type_22;
+    var phi_1856_: bool;
+    var phi_1857_: type_22;
+    var phi_1858_: bool;
+    var phi_1859_: bool;
+    var phi_1860_: type_22;
+    var phi_1861_: bool;
+    var phi_1862_: bool;
+    var phi_1870_: type_22;
+    var phi_1871_: bool;
+    var phi_1875_: type_22;
+    var phi_1900_: bool;
+    var phi_1901_: bool;
+    var phi_1907_: type_33;
+    var phi_1908_: type_33;
+    var phi_1909_: type_33;
+    var phi_897_: type_33;
+    var phi_2970_: bool;
+    var phi_3116_: bool;
+    var phi_2858_: type_33;
+    var phi_2859_: type_49;
+    var phi_2860_: bool;
+    var phi_2861_: u32;
+    var phi_3115_: bool;
+    var phi_2862_: type_33;
+    var phi_2863_: type_49;
+    var phi_2864_: u32;
+    var phi_2865_: bool;
+    var phi_2866_: u32;
+    var phi_3114_: bool;
+    var phi_2867_: type_33;
+    var phi_2868_: type_49;
+    var phi_2869_: u32;
+    var phi_2870_: bool;
+    var phi_2871_: u32;
+    var phi_3113_: bool;
+    var phi_771_: type_33;
+    var phi_774_: type_49;
+    var phi_776_: u32;
+    var phi_778_: bool;
+    var phi_780_: u32;
+    var phi_2872_: bool;
+    var phi_3112_: bool;
     var local_10: type_33;
-    var phi_2652_: type_22;
+    var phi_2924_: type_22;
     var local_11: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e74 = global;
-            let _e77 = arrayLength((&global_5.member));
-            let _e79 = arrayLength((&global_2.member));
-            let _e87 = global_3.member[0u][0u];
-            let _e91 = global_3.member[0u][1u];
-            let _e95 = global_3.member[0u][2u];
-            let _e99 = global_3.member[1u][0u];
-            let _e103 = global_3.member[1u][1u];
-            let _e107 = global_3.member[1u][2u];
-            let _e111 = global_3.member[1u][3u];
-            let _e114 = global_1.member[0u];
-            let _e115 = bitcast<i32>(_e114);
-            let _e125 = (_e74.x + (_e74.y * 2097152u));
-            let _e126 = (_e125 < arrayLength((&global_4.member)));
-            if _e126 {
-                let _e127 = (_e125 < arrayLength((&global_6.member)));
-                if _e127 {
-                    if _e126 {
+            let _e76 = global;
+            let _e79 = arrayLength((&global_5.member));
+            let _e81 = arrayLength((&global_2.member));
+            let _e89 = global_3.member[0u][0u];
+            let _e93 = global_3.member[0u][1u];
+            let _e97 = global_3.member[0u][2u];
+            let _e101 = global_3.member[1u][0u];
+            let _e105 = global_3.member[1u][1u];
+            let _e109 = global_3.member[1u][2u];
+            let _e113 = global_3.member[1u][3u];
+            let _e116 = global_1.member[0u];
+            let _e117 = bitcast<i32>(_e116);
+            let _e127 = (_e76.x + (_e76.y * 2097152u));
+            let _e128 = (_e127 < arrayLength((&global_4.member)));
+            if _e128 {
+                let _e129 = (_e127 < arrayLength((&global_6.member)));
+                if _e129 {
+                    if _e128 {
                     } else {
                         break;
                     }
-                    let _e135 = global_4.member[_e125].member_2[0u];
-                    let _e137 = (bitcast<u32>(_e135) & 2147483647u);
-                    let _e142 = global_4.member[_e125].member_2[1u];
-                    let _e144 = (bitcast<u32>(_e142) & 2147483647u);
-                    let _e149 = global_4.member[_e125].member_2[2u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e125].member[0u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e125].member[1u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e125].member[2u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e174 = select(_e144, _e137, (_e144 < _e137));
-                    let _e176 = select(_e151, _e174, (_e151 < _e174));
-                    let _e178 = select(_e158, _e176, (_e158 < _e176));
-                    let _e180 = select(_e165, _e178, (_e165 < _e178));
-                    let _e182 = select(_e172, _e180, (_e172 < _e180));
-                    let _e186 = global_4.member[_e125].member_1;
-                    let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                    let _e195 = global_4.member[_e125].member_3;
-                    let _e201 = (((select(_e188, _e182, (_e188 < _e182)) < 2139095040u) && ((bitcast<u32>(_e195) & 2147483647u) <= 2139095040u)) && (_e176 > 0u));
-                    if _e201 {
-                        let _e204 = (bitcast<u32>(bitcast<f32>(_e176)) & 2147483647u);
-                        if (_e204 >= 8388608u) {
-                            phi_323_ = (bitcast<i32>((_e204 >> bitcast<u32>(23i))) - 127i);
+                    let _e137 = global_4.member[_e127].member_2[0u];
+                    let _e139 = (bitcast<u32>(_e137) & 2147483647u);
+                    let _e144 = global_4.member[_e127].member_2[1u];
+                    let _e146 = (bitcast<u32>(_e144) & 2147483647u);
+                    let _e151 = global_4.member[_e127].member_2[2u];
+                    let _e153 = (bitcast<u32>(_e151) & 2147483647u);
+                    let _e158 = global_4.member[_e127].member[0u];
+                    let _e160 = (bitcast<u32>(_e158) & 2147483647u);
+                    let _e165 = global_4.member[_e127].member[1u];
+                    let _e167 = (bitcast<u32>(_e165) & 2147483647u);
+                    let _e172 = global_4.member[_e127].member[2u];
+                    let _e174 = (bitcast<u32>(_e172) & 2147483647u);
+                    let _e176 = select(_e146, _e139, (_e146 < _e139));
+                    let _e178 = select(_e153, _e176, (_e153 < _e176));
+                    let _e180 = select(_e160, _e178, (_e160 < _e178));
+                    let _e182 = select(_e167, _e180, (_e167 < _e180));
+                    let _e184 = select(_e174, _e182, (_e174 < _e182));
+                    let _e188 = global_4.member[_e127].member_1;
+                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
+                    let _e197 = global_4.member[_e127].member_3;
+                    let _e203 = (((select(_e190, _e184, (_e190 < _e184)) < 2139095040u) && ((bitcast<u32>(_e197) & 2147483647u) <= 2139095040u)) && (_e178 > 0u));
+                    if _e203 {
+                        let _e206 = (bitcast<u32>(bitcast<f32>(_e178)) & 2147483647u);
+                        if (_e206 >= 8388608u) {
+                            phi_328_ = (bitcast<i32>((_e206 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_323_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e204)), 32u, (_e204 == 0u))));
+                            phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e206)), 32u, (_e206 == 0u))));
                         }
-                        let _e218 = phi_323_;
-                        phi_324_ = _e218;
+                        let _e220 = phi_328_;
+                        phi_329_ = _e220;
                     } else {
-                        phi_324_ = 0i;
+                        phi_329_ = 0i;
                     }
-                    let _e220 = phi_324_;
-                    let _e221 = (_e137 == _e176);
-                    if _e221 {
-                        phi_334_ = true;
+                    let _e222 = phi_329_;
+                    let _e223 = (_e139 == _e178);
+                    if _e223 {
+                        phi_339_ = true;
                     } else {
-                        phi_334_ = (_e144 == _e176);
+                        phi_339_ = (_e146 == _e178);
                     }
-                    let _e224 = phi_334_;
-                    let _e225 = select(1u, 0u, _e221);
-                    if _e224 {
-                        let _e226 = (_e225 + 1u);
-                        phi_344_ = _e226;
-                        phi_345_ = _e226;
-                        phi_347_ = select(true, false, (_e226 == 2u));
+                    let _e226 = phi_339_;
+                    let _e227 = select(1u, 0u, _e223);
+                    if _e226 {
+                        let _e228 = (_e227 + 1u);
+                        phi_349_ = _e228;
+                        phi_350_ = _e228;
+                        phi_352_ = select(true, false, (_e228 == 2u));
                     } else {
-                        phi_344_ = u32();
-                        phi_345_ = 0u;
-                        phi_347_ = true;
+                        phi_349_ = u32();
+                        phi_350_ = 0u;
+                        phi_352_ = true;
                     }
-                    let _e230 = phi_344_;
-                    let _e232 = phi_345_;
-                    let _e234 = phi_347_;
-                    if _e234 {
-                        phi_352_ = (_e232 + 1u);
+                    let _e232 = phi_349_;
+                    let _e234 = phi_350_;
+                    let _e236 = phi_352_;
+                    if _e236 {
+                        phi_357_ = (_e234 + 1u);
                     } else {
-                        phi_352_ = 0u;
+                        phi_357_ = 0u;
                     }
-                    let _e238 = phi_352_;
-                    let _e239 = select(_e230, _e232, _e234);
-                    let _e240 = select(_e225, select(2u, _e225, _e224), _e234);
-                    if (_e115 < -126i) {
-                        phi_364_ = -126i;
+                    let _e240 = phi_357_;
+                    let _e241 = select(_e232, _e234, _e236);
+                    let _e242 = select(_e227, select(2u, _e227, _e226), _e236);
+                    if (_e117 < -126i) {
+                        phi_369_ = -126i;
                     } else {
-                        phi_364_ = select(_e115, 127i, (_e115 > 127i));
+                        phi_369_ = select(_e117, 127i, (_e117 > 127i));
                     }
-                    let _e245 = phi_364_;
-                    let _e250 = bitcast<f32>((bitcast<u32>((_e245 + 127i)) << bitcast<u32>(23i)));
-                    let _e256 = bitcast<f32>((bitcast<u32>(((_e115 - _e245) + 127i)) << bitcast<u32>(23i)));
-                    let _e257 = -(_e220);
-                    if (_e257 < -126i) {
-                        phi_384_ = -126i;
+                    let _e247 = phi_369_;
+                    let _e252 = bitcast<f32>((bitcast<u32>((_e247 + 127i)) << bitcast<u32>(23i)));
+                    let _e258 = bitcast<f32>((bitcast<u32>(((_e117 - _e247) + 127i)) << bitcast<u32>(23i)));
+                    let _e259 = -(_e222);
+                    if (_e259 < -126i) {
+                        phi_389_ = -126i;
                     } else {
-                        phi_384_ = select(_e257, 127i, (_e257 > 127i));
+                        phi_389_ = select(_e259, 127i, (_e259 > 127i));
                     }
-                    let _e262 = phi_384_;
-                    let _e267 = bitcast<f32>((bitcast<u32>((_e262 + 127i)) << bitcast<u32>(23i)));
-                    let _e273 = bitcast<f32>((bitcast<u32>(((_e257 - _e262) + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = global_4.member[_e125].member;
-                    let _e278 = (_e239 == 0u);
-                    if _e278 {
-                        phi_402_ = _e277[0];
+                    let _e264 = phi_389_;
+                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
+                    let _e275 = bitcast<f32>((bitcast<u32>(((_e259 - _e264) + 127i)) << bitcast<u32>(23i)));
+                    let _e279 = global_4.member[_e127].member;
+                    let _e280 = (_e241 == 0u);
+                    if _e280 {
+                        phi_407_ = _e279[0];
                     } else {
-                        phi_402_ = _e277[1];
+                        phi_407_ = _e279[1];
                     }
-                    let _e282 = phi_402_;
-                    let _e283 = (_e239 == 2u);
-                    if _e283 {
-                        phi_408_ = _e277[2];
+                    let _e284 = phi_407_;
+                    let _e285 = (_e241 == 2u);
+                    if _e285 {
+                        phi_413_ = _e279[2];
                     } else {
-                        phi_408_ = _e282;
+                        phi_413_ = _e284;
                     }
-                    let _e286 = phi_408_;
-                    let _e288 = ((_e286 * _e250) * _e256);
-                    let _e289 = global_4.member[_e125].member_2;
-                    if _e278 {
-                        phi_419_ = _e289[0];
+                    let _e288 = phi_413_;
+                    let _e290 = ((_e288 * _e252) * _e258);
+                    let _e291 = global_4.member[_e127].member_2;
+                    if _e280 {
+                        phi_424_ = _e291[0];
                     } else {
-                        phi_419_ = _e289[1];
+                        phi_424_ = _e291[1];
                     }
-                    let _e293 = phi_419_;
-                    if _e283 {
-                        phi_425_ = _e289[2];
+                    let _e295 = phi_424_;
+                    if _e285 {
+                        phi_430_ = _e291[2];
                     } else {
-                        phi_425_ = _e293;
+                        phi_430_ = _e295;
                     }
-                    let _e296 = phi_425_;
-                    let _e298 = ((_e296 * _e267) * _e273);
-                    let _e302 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e302 {
-                        let _e306 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) * 0.00000011920929f);
-                        phi_448_ = select(0.00000000000011368684f, _e306, (_e306 > 0.00000000000011368684f));
+                    let _e298 = phi_430_;
+                    let _e300 = ((_e298 * _e269) * _e275);
+                    let _e304 = (bitcast<f32>((bitcast<u32>(_e300) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e304 {
+                        let _e308 = (bitcast<f32>((bitcast<u32>(_e290) & 2147483647u)) * 0.00000011920929f);
+                        phi_453_ = select(0.00000000000011368684f, _e308, (_e308 > 0.00000000000011368684f));
                     } else {
-                        phi_448_ = 0f;
+                        phi_453_ = 0f;
                     }
-                    let _e310 = phi_448_;
-                    let _e311 = (_e288 + _e310);
-                    let _e312 = (_e288 - _e310);
-                    let _e313 = select(_e298, 0f, _e302);
-                    if _e302 {
-                        phi_459_ = 38685626000000000000000000f;
+                    let _e312 = phi_453_;
+                    let _e313 = (_e290 + _e312);
+                    let _e314 = (_e290 - _e312);
+                    let _e315 = select(_e300, 0f, _e304);
+                    if _e304 {
+                        phi_464_ = 38685626000000000000000000f;
                     } else {
-                        phi_459_ = (1f / _e298);
+                        phi_464_ = (1f / _e300);
                     }
-                    let _e316 = phi_459_;
-                    let _e317 = (_e238 == 0u);
-                    if _e317 {
-                        phi_468_ = _e277[0];
+                    let _e318 = phi_464_;
+                    let _e319 = (_e240 == 0u);
+                    if _e319 {
+                        phi_473_ = _e279[0];
                     } else {
-                        phi_468_ = _e277[1];
+                        phi_473_ = _e279[1];
                     }
-                    let _e321 = phi_468_;
-                    let _e322 = (_e238 == 2u);
-                    if _e322 {
-                        phi_474_ = _e277[2];
+                    let _e323 = phi_473_;
+                    let _e324 = (_e240 == 2u);
+                    if _e324 {
+                        phi_479_ = _e279[2];
                     } else {
-                        phi_474_ = _e321;
+                        phi_479_ = _e323;
                     }
-                    let _e325 = phi_474_;
-                    let _e327 = ((_e325 * _e250) * _e256);
-                    if _e317 {
-                        phi_485_ = _e289[0];
+                    let _e327 = phi_479_;
+                    let _e329 = ((_e327 * _e252) * _e258);
+                    if _e319 {
+                        phi_490_ = _e291[0];
                     } else {
-                        phi_485_ = _e289[1];
+                        phi_490_ = _e291[1];
                     }
-                    let _e331 = phi_485_;
-                    if _e322 {
-                        phi_491_ = _e289[2];
+                    let _e333 = phi_490_;
+                    if _e324 {
+                        phi_496_ = _e291[2];
                     } else {
-                        phi_491_ = _e331;
+                        phi_496_ = _e333;
                     }
-                    let _e334 = phi_491_;
-                    let _e336 = ((_e334 * _e267) * _e273);
-                    let _e340 = (bitcast<f32>((bitcast<u32>(_e336) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e340 {
-                        let _e344 = (bitcast<f32>((bitcast<u32>(_e327) & 2147483647u)) * 0.00000011920929f);
-                        phi_514_ = select(0.00000000000011368684f, _e344, (_e344 > 0.00000000000011368684f));
+                    let _e336 = phi_496_;
+                    let _e338 = ((_e336 * _e269) * _e275);
+                    let _e342 = (bitcast<f32>((bitcast<u32>(_e338) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e342 {
+                        let _e346 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) * 0.00000011920929f);
+                        phi_519_ = select(0.00000000000011368684f, _e346, (_e346 > 0.00000000000011368684f));
                     } else {
-                        phi_514_ = 0f;
+                        phi_519_ = 0f;
                     }
-                    let _e348 = phi_514_;
-                    let _e349 = (_e327 + _e348);
-                    let _e350 = (_e327 - _e348);
-                    let _e351 = select(_e336, 0f, _e340);
-                    if _e340 {
-                        phi_525_ = 38685626000000000000000000f;
+                    let _e350 = phi_519_;
+                    let _e351 = (_e329 + _e350);
+                    let _e352 = (_e329 - _e350);
+                    let _e353 = select(_e338, 0f, _e342);
+                    if _e342 {
+                        phi_530_ = 38685626000000000000000000f;
                     } else {
-                        phi_525_ = (1f / _e336);
+                        phi_530_ = (1f / _e338);
                     }
-                    let _e354 = phi_525_;
-                    let _e355 = (_e240 == 0u);
-                    if _e355 {
-                        phi_534_ = _e277[0];
+                    let _e356 = phi_530_;
+                    let _e357 = (_e242 == 0u);
+                    if _e357 {
+                        phi_539_ = _e279[0];
                     } else {
-                        phi_534_ = _e277[1];
+                        phi_539_ = _e279[1];
                     }
-                    let _e359 = phi_534_;
-                    let _e360 = (_e240 == 2u);
-                    if _e360 {
-                        phi_540_ = _e277[2];
+                    let _e361 = phi_539_;
+                    let _e362 = (_e242 == 2u);
+                    if _e362 {
+                        phi_545_ = _e279[2];
                     } else {
-                        phi_540_ = _e359;
+                        phi_545_ = _e361;
                     }
-                    let _e363 = phi_540_;
-                    let _e365 = ((_e363 * _e250) * _e256);
-                    if _e355 {
-                        phi_551_ = _e289[0];
+                    let _e365 = phi_545_;
+                    let _e367 = ((_e365 * _e252) * _e258);
+                    if _e357 {
+                        phi_556_ = _e291[0];
                     } else {
-                        phi_551_ = _e289[1];
+                        phi_556_ = _e291[1];
                     }
-                    let _e369 = phi_551_;
-                    if _e360 {
-                        phi_557_ = _e289[2];
+                    let _e371 = phi_556_;
+                    if _e362 {
+                        phi_562_ = _e291[2];
                     } else {
-                        phi_557_ = _e369;
+                        phi_562_ = _e371;
                     }
-                    let _e372 = phi_557_;
-                    let _e374 = ((_e372 * _e267) * _e273);
-                    let _e378 = (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e378 {
-                        let _e382 = (bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) * 0.00000011920929f);
-                        phi_580_ = select(0.00000000000011368684f, _e382, (_e382 > 0.00000000000011368684f));
+                    let _e374 = phi_562_;
+                    let _e376 = ((_e374 * _e269) * _e275);
+                    let _e380 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e380 {
+                        let _e384 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) * 0.00000011920929f);
+                        phi_585_ = select(0.00000000000011368684f, _e384, (_e384 > 0.00000000000011368684f));
                     } else {
-                        phi_580_ = 0f;
+                        phi_585_ = 0f;
                     }
-                    let _e386 = phi_580_;
-                    let _e387 = (_e365 + _e386);
-                    let _e388 = (_e365 - _e386);
-                    let _e389 = select(_e374, 0f, _e378);
-                    if _e378 {
-                        phi_591_ = 38685626000000000000000000f;
+                    let _e388 = phi_585_;
+                    let _e389 = (_e367 + _e388);
+                    let _e390 = (_e367 - _e388);
+                    let _e391 = select(_e376, 0f, _e380);
+                    if _e380 {
+                        phi_596_ = 38685626000000000000000000f;
                     } else {
-                        phi_591_ = (1f / _e374);
+                        phi_596_ = (1f / _e376);
                     }
-                    let _e392 = phi_591_;
-                    let _e395 = bitcast<f32>((bitcast<u32>(_e288) & 2147483647u));
-                    let _e398 = bitcast<f32>((bitcast<u32>(_e327) & 2147483647u));
-                    let _e400 = select(_e398, _e395, (_e395 > _e398));
-                    let _e403 = bitcast<f32>((bitcast<u32>(_e365) & 2147483647u));
-                    let _e406 = (_e115 + _e220);
-                    if (_e201 && (select(_e403, _e400, (_e400 > _e403)) <= 1099511600000f)) {
-                        let _e409 = (_e406 / 3i);
-                        let _e416 = bitcast<f32>((bitcast<u32>((_e409 + 127i)) << bitcast<u32>(23i)));
-                        let _e423 = bitcast<f32>((bitcast<u32>(((_e406 - (2i * _e409)) + 127i)) << bitcast<u32>(23i)));
-                        let _e424 = (((_e186 * _e416) * _e416) * _e423);
-                        let _e426 = select(340282350000000000000000000000000000000f, _e424, (_e424 < 340282350000000000000000000000000000000f));
-                        let _e431 = (((_e195 * _e416) * _e416) * _e423);
-                        let _e433 = select(340282350000000000000000000000000000000f, _e431, (_e431 < 340282350000000000000000000000000000000f));
-                        phi_691_ = select(-340282350000000000000000000000000000000f, _e433, (_e433 > -340282350000000000000000000000000000000f));
-                        phi_692_ = select(-340282350000000000000000000000000000000f, _e426, (_e426 > -340282350000000000000000000000000000000f));
+                    let _e394 = phi_596_;
+                    let _e397 = bitcast<f32>((bitcast<u32>(_e290) & 2147483647u));
+                    let _e400 = bitcast<f32>((bitcast<u32>(_e329) & 2147483647u));
+                    let _e402 = select(_e400, _e397, (_e397 > _e400));
+                    let _e405 = bitcast<f32>((bitcast<u32>(_e367) & 2147483647u));
+                    let _e408 = (_e117 + _e222);
+                    if (_e203 && (select(_e405, _e402, (_e402 > _e405)) <= 1099511600000f)) {
+                        let _e411 = (_e408 / 3i);
+                        let _e418 = bitcast<f32>((bitcast<u32>((_e411 + 127i)) << bitcast<u32>(23i)));
+                        let _e425 = bitcast<f32>((bitcast<u32>(((_e408 - (2i * _e411)) + 127i)) << bitcast<u32>(23i)));
+                        let _e426 = (((_e188 * _e418) * _e418) * _e425);
+                        let _e428 = select(340282350000000000000000000000000000000f, _e426, (_e426 < 340282350000000000000000000000000000000f));
+                        let _e433 = (((_e197 * _e418) * _e418) * _e425);
+                        let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
+                        phi_696_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
+                        phi_697_ = select(-340282350000000000000000000000000000000f, _e428, (_e428 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_691_ = 0f;
-                        phi_692_ = 1f;
+                        phi_696_ = 0f;
+                        phi_697_ = 1f;
                     }
-                    let _e437 = phi_691_;
-                    let _e439 = phi_692_;
+                    let _e439 = phi_696_;
+                    let _e441 = phi_697_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -470,758 +487,866 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e87), bitcast<f32>(_e91), bitcast<f32>(_e95));
-                    let _e444 = (_e239 % 3u);
-                    let _e445 = (_e444 < 3u);
-                    if _e445 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e89), bitcast<f32>(_e93), bitcast<f32>(_e97));
+                    let _e446 = (_e241 % 3u);
+                    let _e447 = (_e446 < 3u);
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e447 = local_9[_e444];
-                    let _e448 = (_e238 % 3u);
-                    let _e449 = (_e448 < 3u);
-                    if _e449 {
+                    let _e449 = local_9[_e446];
+                    let _e450 = (_e240 % 3u);
+                    let _e451 = (_e450 < 3u);
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e451 = local_9[_e448];
-                    let _e452 = (_e240 % 3u);
-                    let _e453 = (_e452 < 3u);
-                    if _e453 {
+                    let _e453 = local_9[_e450];
+                    let _e454 = (_e242 % 3u);
+                    let _e455 = (_e454 < 3u);
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e455 = local_9[_e452];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e99), bitcast<f32>(_e103), bitcast<f32>(_e107));
-                    if _e445 {
+                    let _e457 = local_9[_e454];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e101), bitcast<f32>(_e105), bitcast<f32>(_e109));
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e459 = local_8[_e444];
-                    if _e449 {
+                    let _e461 = local_8[_e446];
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e461 = local_8[_e448];
-                    if _e453 {
+                    let _e463 = local_8[_e450];
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e463 = local_8[_e452];
-                    phi_2704_ = false;
-                    phi_765_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e437);
-                    phi_768_ = type_49(type_47(array<f32, 3>(_e447, _e451, _e455), array<f32, 3>(_e459, _e461, _e463)), select(0u, 2147483648u, (_e77 == 0u)));
-                    phi_770_ = ((3u * _e77) + 1u);
-                    phi_772_ = (_e439 <= _e437);
-                    phi_774_ = 0u;
+                    let _e465 = local_8[_e454];
+                    phi_2976_ = false;
+                    phi_770_ = type_33(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e439);
+                    phi_773_ = type_49(type_47(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e79 == 0u)));
+                    phi_775_ = ((3u * _e79) + 1u);
+                    phi_777_ = (_e441 <= _e439);
+                    phi_779_ = 0u;
                     loop {
-                        let _e471 = phi_2704_;
-                        let _e473 = phi_765_;
-                        let _e475 = phi_768_;
-                        let _e477 = phi_770_;
-                        let _e479 = phi_772_;
-                        let _e481 = phi_774_;
-                        local_10 = _e473;
-                        if _e479 {
-                            phi_785_ = true;
+                        let _e473 = phi_2976_;
+                        let _e475 = phi_770_;
+                        let _e477 = phi_773_;
+                        let _e479 = phi_775_;
+                        let _e481 = phi_777_;
+                        let _e483 = phi_779_;
+                        local_10 = _e475;
+                        if _e481 {
+                            phi_790_ = true;
                         } else {
-                            phi_785_ = (_e481 > 0u);
+                            phi_790_ = (_e483 > 0u);
                         }
-                        let _e484 = phi_785_;
-                        if _e484 {
-                            let _e485 = (_e477 > 0u);
-                            if _e485 {
-                                if _e479 {
-                                    phi_871_ = _e475;
-                                    phi_872_ = _e479;
-                                    phi_873_ = _e481;
+                        let _e486 = phi_790_;
+                        if _e486 {
+                            let _e487 = (_e479 > 0u);
+                            if _e487 {
+                                if _e481 {
+                                    phi_876_ = _e477;
+                                    phi_877_ = _e481;
+                                    phi_878_ = _e483;
                                 } else {
-                                    let _e486 = (_e481 - 1u);
-                                    let _e487 = (_e486 % 128u);
-                                    let _e488 = (_e487 < 128u);
-                                    if _e488 {
+                                    let _e488 = (_e483 - 1u);
+                                    let _e489 = (_e488 % 128u);
+                                    let _e490 = (_e489 < 128u);
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e490 = local_6[_e487];
-                                    if _e488 {
+                                    let _e492 = local_6[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e492 = local_5[_e487];
-                                    if _e488 {
+                                    let _e494 = local_5[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e494 = local_4[_e487];
-                                    if _e488 {
+                                    let _e496 = local_4[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e496 = local_3[_e487];
-                                    if _e488 {
+                                    let _e498 = local_3[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e499 = local_2[_e487];
-                                    if _e488 {
+                                    let _e501 = local_2[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e501 = local_1[_e487];
-                                    if _e488 {
+                                    let _e503 = local_1[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e503 = local[_e487];
-                                    if _e488 {
+                                    let _e505 = local[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2812_ = true;
+                                        phi_3112_ = true;
                                         break;
                                     }
-                                    let _e508 = local_7[_e487];
-                                    phi_871_ = type_49(type_47(array<f32, 3>(_e492, _e494, _e496), array<f32, 3>(_e499, _e501, _e503)), _e490);
-                                    phi_872_ = (_e508 <= _e473.member_1);
-                                    phi_873_ = _e486;
+                                    let _e510 = local_7[_e489];
+                                    phi_876_ = type_49(type_47(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
+                                    phi_877_ = (_e510 <= _e475.member_1);
+                                    phi_878_ = _e488;
                                 }
-                                let _e512 = phi_871_;
-                                let _e514 = phi_872_;
-                                let _e516 = phi_873_;
-                                if _e514 {
-                                    if ((_e512.member_1 & 2147483648u) != 0u) {
-                                        phi_891_ = _e473;
-                                        phi_894_ = type_4(0u, ((_e512.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e514 = phi_876_;
+                                let _e516 = phi_877_;
+                                let _e518 = phi_878_;
+                                if _e516 {
+                                    if ((_e514.member_1 & 2147483648u) != 0u) {
+                                        phi_896_ = _e475;
+                                        phi_899_ = type_4(0u, ((_e514.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e868 = phi_891_;
-                                            let _e870 = phi_894_;
-                                            local_11 = _e868;
-                                            if (_e870.member < _e870.member_1) {
-                                                phi_895_ = type_4((_e870.member + 1u), _e870.member_1);
-                                                phi_917_ = type_4(1u, _e870.member);
+                                            let _e870 = phi_896_;
+                                            let _e872 = phi_899_;
+                                            local_11 = _e870;
+                                            if (_e872.member < _e872.member_1) {
+                                                phi_900_ = type_4((_e872.member + 1u), _e872.member_1);
+                                                phi_922_ = type_4(1u, _e872.member);
                                             } else {
-                                                phi_895_ = _e870;
-                                                phi_917_ = type_4(0u, type_4().member_1);
+                                                phi_900_ = _e872;
+                                                phi_922_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e883 = phi_895_;
-                                            let _e885 = phi_917_;
-                                            let _e889 = (bitcast<i32>(_e885.member) != 0i);
-                                            if _e889 {
-                                                let _e890 = ((_e512.member_1 & 268435455u) + _e885.member_1);
-                                                let _e891 = (_e890 < _e79);
-                                                if _e891 {
-                                                    if _e891 {
+                                            let _e885 = phi_900_;
+                                            let _e887 = phi_922_;
+                                            let _e891 = (bitcast<i32>(_e887.member) != 0i);
+                                            if _e891 {
+                                                let _e892 = ((_e514.member_1 & 268435455u) + _e887.member_1);
+                                                let _e893 = (_e892 < _e81);
+                                                if _e893 {
+                                                    if _e893 {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e895 = global_2.member[_e890].member_1;
-                                                    phi_938_ = _e895;
+                                                    let _e897 = global_2.member[_e892].member_1;
+                                                    phi_943_ = _e897;
                                                 } else {
-                                                    phi_938_ = 4294967295u;
+                                                    phi_943_ = 4294967295u;
                                                 }
-                                                let _e897 = phi_938_;
-                                                if (_e890 >= _e79) {
-                                                    phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e899 = phi_943_;
+                                                if (_e892 >= _e81) {
+                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e891 {
+                                                    if _e893 {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    if (_e444 < 9u) {
+                                                    if (_e446 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e904 = global_2.member[_e890].member[_e444];
-                                                    if (_e448 < 9u) {
+                                                    let _e906 = global_2.member[_e892].member[_e446];
+                                                    if (_e450 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e910 = global_2.member[_e890].member[_e448];
-                                                    if (_e452 < 9u) {
+                                                    let _e912 = global_2.member[_e892].member[_e450];
+                                                    if (_e454 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e916 = global_2.member[_e890].member[_e452];
-                                                    let _e918 = (3u + _e444);
-                                                    if (_e918 < 9u) {
+                                                    let _e918 = global_2.member[_e892].member[_e454];
+                                                    let _e920 = (3u + _e446);
+                                                    if (_e920 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e924 = global_2.member[_e890].member[_e918];
-                                                    let _e925 = (3u + _e448);
-                                                    if (_e925 < 9u) {
+                                                    let _e926 = global_2.member[_e892].member[_e920];
+                                                    let _e927 = (3u + _e450);
+                                                    if (_e927 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e931 = global_2.member[_e890].member[_e925];
-                                                    let _e932 = (3u + _e452);
-                                                    if (_e932 < 9u) {
+                                                    let _e933 = global_2.member[_e892].member[_e927];
+                                                    let _e934 = (3u + _e454);
+                                                    if (_e934 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e938 = global_2.member[_e890].member[_e932];
-                                                    let _e940 = (6u + _e444);
-                                                    if (_e940 < 9u) {
+                                                    let _e940 = global_2.member[_e892].member[_e934];
+                                                    let _e942 = (6u + _e446);
+                                                    if (_e942 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e946 = global_2.member[_e890].member[_e940];
-                                                    let _e947 = (6u + _e448);
-                                                    if (_e947 < 9u) {
+                                                    let _e948 = global_2.member[_e892].member[_e942];
+                                                    let _e949 = (6u + _e450);
+                                                    if (_e949 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e953 = global_2.member[_e890].member[_e947];
-                                                    let _e954 = (6u + _e452);
-                                                    if (_e954 < 9u) {
+                                                    let _e955 = global_2.member[_e892].member[_e949];
+                                                    let _e956 = (6u + _e454);
+                                                    if (_e956 < 9u) {
                                                     } else {
-                                                        phi_2698_ = true;
+                                                        phi_2970_ = true;
                                                         break;
                                                     }
-                                                    let _e960 = global_2.member[_e890].member[_e954];
-                                                    phi_1027_ = array<array<f32, 3>, 3>(array<f32, 3>(_e904, _e910, _e916), array<f32, 3>(_e924, _e931, _e938), array<f32, 3>(_e946, _e953, _e960));
+                                                    let _e962 = global_2.member[_e892].member[_e956];
+                                                    phi_1032_ = array<array<f32, 3>, 3>(array<f32, 3>(_e906, _e912, _e918), array<f32, 3>(_e926, _e933, _e940), array<f32, 3>(_e948, _e955, _e962));
                                                 }
-                                                let _e964 = phi_1027_;
-                                                let _e972 = (_e964[0][2] - _e365);
-                                                let _e975 = (((_e964[0][0] - _e288) * _e389) - (_e972 * _e313));
-                                                let _e978 = (((_e964[0][1] - _e327) * _e389) - (_e972 * _e351));
-                                                let _e985 = (_e964[1][2] - _e365);
-                                                let _e988 = (((_e964[1][0] - _e288) * _e389) - (_e985 * _e313));
-                                                let _e991 = (((_e964[1][1] - _e327) * _e389) - (_e985 * _e351));
-                                                let _e998 = (_e964[2][2] - _e365);
-                                                let _e1001 = (((_e964[2][0] - _e288) * _e389) - (_e998 * _e313));
-                                                let _e1004 = (((_e964[2][1] - _e327) * _e389) - (_e998 * _e351));
-                                                let _e1005 = (_e1001 * _e991);
-                                                let _e1006 = (_e1004 * _e988);
-                                                let _e1007 = (_e975 * _e1004);
-                                                let _e1008 = (_e978 * _e1001);
-                                                let _e1009 = (_e988 * _e978);
-                                                let _e1010 = (_e991 * _e975);
-                                                let _e1015 = (((_e1005 >= _e1006) && (_e1007 >= _e1008)) && (_e1009 >= _e1010));
-                                                if (_e1015 || (((_e1005 <= _e1006) && (_e1007 <= _e1008)) && (_e1009 <= _e1010))) {
-                                                    let _e1022 = select(-1f, 1f, _e1015);
-                                                    let _e1024 = ((_e1005 - _e1006) * _e1022);
-                                                    let _e1026 = select(0f, _e1024, (_e1024 > 0f));
-                                                    let _e1028 = ((_e1007 - _e1008) * _e1022);
-                                                    let _e1030 = select(0f, _e1028, (_e1028 > 0f));
-                                                    let _e1032 = ((_e1009 - _e1010) * _e1022);
-                                                    let _e1034 = select(0f, _e1032, (_e1032 > 0f));
-                                                    let _e1036 = ((_e1026 + _e1030) + _e1034);
-                                                    if (_e1036 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1593_ = type_22();
-                                                        phi_1594_ = true;
+                                                let _e966 = phi_1032_;
+                                                let _e974 = (_e966[0][2] - _e367);
+                                                let _e977 = (((_e966[0][0] - _e290) * _e391) - (_e974 * _e315));
+                                                let _e980 = (((_e966[0][1] - _e329) * _e391) - (_e974 * _e353));
+                                                let _e987 = (_e966[1][2] - _e367);
+                                                let _e990 = (((_e966[1][0] - _e290) * _e391) - (_e987 * _e315));
+                                                let _e993 = (((_e966[1][1] - _e329) * _e391) - (_e987 * _e353));
+                                                let _e1000 = (_e966[2][2] - _e367);
+                                                let _e1003 = (((_e966[2][0] - _e290) * _e391) - (_e1000 * _e315));
+                                                let _e1006 = (((_e966[2][1] - _e329) * _e391) - (_e1000 * _e353));
+                                                let _e1007 = (_e1003 * _e993);
+                                                let _e1008 = (_e1006 * _e990);
+                                                let _e1009 = (_e977 * _e1006);
+                                                let _e1010 = (_e980 * _e1003);
+                                                let _e1011 = (_e990 * _e980);
+                                                let _e1012 = (_e993 * _e977);
+                                                let _e1017 = (((_e1007 >= _e1008) && (_e1009 >= _e1010)) && (_e1011 >= _e1012));
+                                                if (_e1017 || (((_e1007 <= _e1008) && (_e1009 <= _e1010)) && (_e1011 <= _e1012))) {
+                                                    let _e1024 = select(-1f, 1f, _e1017);
+                                                    let _e1026 = ((_e1007 - _e1008) * _e1024);
+                                                    let _e1028 = select(0f, _e1026, (_e1026 > 0f));
+                                                    let _e1030 = ((_e1009 - _e1010) * _e1024);
+                                                    let _e1032 = select(0f, _e1030, (_e1030 > 0f));
+                                                    let _e1034 = ((_e1011 - _e1012) * _e1024);
+                                                    let _e1036 = select(0f, _e1034, (_e1034 > 0f));
+                                                    let _e1038 = ((_e1028 + _e1032) + _e1036);
+                                                    if (_e1038 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1860_ = type_22();
+                                                        phi_1861_ = true;
+                                                        phi_1862_ = false;
                                                     } else {
-                                                        let _e1039 = select(_e964[1][0], _e964[0][0], (_e964[0][0] < _e964[1][0]));
-                                                        let _e1043 = select(_e964[1][0], _e964[0][0], (_e964[0][0] > _e964[1][0]));
-                                                        let _e1047 = select(_e964[1][1], _e964[0][1], (_e964[0][1] < _e964[1][1]));
-                                                        let _e1051 = select(_e964[1][1], _e964[0][1], (_e964[0][1] > _e964[1][1]));
-                                                        let _e1055 = select(_e964[1][2], _e964[0][2], (_e964[0][2] < _e964[1][2]));
-                                                        let _e1059 = select(_e964[1][2], _e964[0][2], (_e964[0][2] > _e964[1][2]));
-                                                        let _e1064 = ((select(_e964[2][0], _e1039, (_e1039 < _e964[2][0])) - _e311) * _e316);
-                                                        let _e1065 = ((select(_e964[2][0], _e1043, (_e1043 > _e964[2][0])) - _e312) * _e316);
-                                                        let _e1068 = ((select(_e964[2][1], _e1047, (_e1047 < _e964[2][1])) - _e349) * _e354);
-                                                        let _e1069 = ((select(_e964[2][1], _e1051, (_e1051 > _e964[2][1])) - _e350) * _e354);
-                                                        let _e1072 = ((select(_e964[2][2], _e1055, (_e1055 < _e964[2][2])) - _e387) * _e392);
-                                                        let _e1073 = ((select(_e964[2][2], _e1059, (_e1059 > _e964[2][2])) - _e388) * _e392);
-                                                        let _e1075 = select(_e1073, _e1072, (_e1072 < _e1073));
-                                                        let _e1077 = select(_e1073, _e1072, (_e1072 > _e1073));
-                                                        let _e1079 = select(_e1065, _e1064, (_e1064 < _e1065));
-                                                        let _e1081 = select(_e1069, _e1068, (_e1068 < _e1069));
-                                                        let _e1083 = select(_e1081, _e1079, (_e1079 > _e1081));
-                                                        let _e1085 = select(_e1075, _e1083, (_e1083 > _e1075));
-                                                        let _e1087 = select(_e1065, _e1064, (_e1064 > _e1065));
-                                                        let _e1089 = select(_e1069, _e1068, (_e1068 > _e1069));
-                                                        let _e1091 = select(_e1089, _e1087, (_e1087 < _e1089));
-                                                        let _e1093 = select(_e1077, _e1091, (_e1091 < _e1077));
-                                                        let _e1094 = -(_e1075);
-                                                        let _e1100 = select(_e439, _e1085, (_e1085 > _e439));
-                                                        if (_e1100 > (_e1093 + (select(_e1094, _e1077, (_e1077 > _e1094)) * 0.0000019073523f))) {
-                                                            phi_1588_ = type_22();
-                                                            phi_1589_ = true;
+                                                        let _e1041 = select(_e990, _e977, (_e977 < _e990));
+                                                        if (select(_e1003, _e1041, (_e1041 < _e1003)) > 0f) {
+                                                            phi_1149_ = true;
                                                         } else {
-                                                            let _e1102 = (_e1100 > _e868.member_1);
-                                                            if _e1102 {
-                                                                phi_1587_ = type_22();
+                                                            let _e1046 = select(_e990, _e977, (_e977 > _e990));
+                                                            phi_1149_ = (select(_e1003, _e1046, (_e1046 > _e1003)) < 0f);
+                                                        }
+                                                        let _e1051 = phi_1149_;
+                                                        if _e1051 {
+                                                            phi_1857_ = type_22();
+                                                            phi_1858_ = true;
+                                                            phi_1859_ = false;
+                                                        } else {
+                                                            let _e1053 = select(_e993, _e980, (_e980 < _e993));
+                                                            if (select(_e1006, _e1053, (_e1053 < _e1006)) > 0f) {
+                                                                phi_1178_ = true;
                                                             } else {
-                                                                let _e1106 = (_e964[1][0] - _e964[0][0]);
-                                                                let _e1107 = (_e964[1][1] - _e964[0][1]);
-                                                                let _e1108 = (_e964[1][2] - _e964[0][2]);
-                                                                let _e1109 = vec3<f32>(_e1106, _e1107, _e1108);
-                                                                let _e1110 = (_e964[2][0] - _e964[1][0]);
-                                                                let _e1111 = (_e964[2][1] - _e964[1][1]);
-                                                                let _e1112 = (_e964[2][2] - _e964[1][2]);
-                                                                let _e1113 = vec3<f32>(_e1110, _e1111, _e1112);
-                                                                let _e1114 = (_e964[0][0] - _e964[2][0]);
-                                                                let _e1115 = (_e964[0][1] - _e964[2][1]);
-                                                                let _e1116 = (_e964[0][2] - _e964[2][2]);
-                                                                let _e1117 = vec3<f32>(_e1114, _e1115, _e1116);
-                                                                let _e1120 = bitcast<f32>((bitcast<u32>(_e1106) & 2147483647u));
-                                                                let _e1123 = bitcast<f32>((bitcast<u32>(_e1107) & 2147483647u));
-                                                                let _e1125 = select(_e1123, _e1120, (_e1120 > _e1123));
-                                                                let _e1128 = bitcast<f32>((bitcast<u32>(_e1108) & 2147483647u));
-                                                                let _e1130 = select(_e1128, _e1125, (_e1125 > _e1128));
-                                                                let _e1133 = bitcast<f32>((bitcast<u32>(_e1110) & 2147483647u));
-                                                                let _e1136 = bitcast<f32>((bitcast<u32>(_e1111) & 2147483647u));
-                                                                let _e1138 = select(_e1136, _e1133, (_e1133 > _e1136));
-                                                                let _e1141 = bitcast<f32>((bitcast<u32>(_e1112) & 2147483647u));
-                                                                let _e1143 = select(_e1141, _e1138, (_e1138 > _e1141));
-                                                                let _e1146 = bitcast<f32>((bitcast<u32>(_e1114) & 2147483647u));
-                                                                let _e1149 = bitcast<f32>((bitcast<u32>(_e1115) & 2147483647u));
-                                                                let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
-                                                                let _e1154 = bitcast<f32>((bitcast<u32>(_e1116) & 2147483647u));
-                                                                let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
-                                                                let _e1158 = select(_e1143, _e1130, (_e1130 > _e1143));
-                                                                let _e1160 = select(_e1156, _e1158, (_e1158 > _e1156));
-                                                                if (_e1130 == _e1160) {
-                                                                    phi_1498_ = _e1113;
-                                                                    phi_1499_ = _e1117;
+                                                                let _e1058 = select(_e993, _e980, (_e980 > _e993));
+                                                                phi_1178_ = (select(_e1006, _e1058, (_e1058 > _e1006)) < 0f);
+                                                            }
+                                                            let _e1063 = phi_1178_;
+                                                            if _e1063 {
+                                                                phi_1855_ = type_22();
+                                                                phi_1856_ = false;
+                                                            } else {
+                                                                let _e1065 = select(_e966[1][0], _e966[0][0], (_e966[0][0] < _e966[1][0]));
+                                                                let _e1069 = select(_e966[1][0], _e966[0][0], (_e966[0][0] > _e966[1][0]));
+                                                                let _e1073 = select(_e966[1][1], _e966[0][1], (_e966[0][1] < _e966[1][1]));
+                                                                let _e1077 = select(_e966[1][1], _e966[0][1], (_e966[0][1] > _e966[1][1]));
+                                                                let _e1081 = select(_e966[1][2], _e966[0][2], (_e966[0][2] < _e966[1][2]));
+                                                                let _e1085 = select(_e966[1][2], _e966[0][2], (_e966[0][2] > _e966[1][2]));
+                                                                let _e1090 = ((select(_e966[2][0], _e1065, (_e1065 < _e966[2][0])) - _e313) * _e318);
+                                                                let _e1091 = ((select(_e966[2][0], _e1069, (_e1069 > _e966[2][0])) - _e314) * _e318);
+                                                                let _e1094 = ((select(_e966[2][1], _e1073, (_e1073 < _e966[2][1])) - _e351) * _e356);
+                                                                let _e1095 = ((select(_e966[2][1], _e1077, (_e1077 > _e966[2][1])) - _e352) * _e356);
+                                                                let _e1098 = ((select(_e966[2][2], _e1081, (_e1081 < _e966[2][2])) - _e389) * _e394);
+                                                                let _e1099 = ((select(_e966[2][2], _e1085, (_e1085 > _e966[2][2])) - _e390) * _e394);
+                                                                let _e1101 = select(_e1099, _e1098, (_e1098 < _e1099));
+                                                                let _e1103 = select(_e1099, _e1098, (_e1098 > _e1099));
+                                                                let _e1105 = select(_e1091, _e1090, (_e1090 < _e1091));
+                                                                let _e1107 = select(_e1095, _e1094, (_e1094 < _e1095));
+                                                                let _e1109 = select(_e1107, _e1105, (_e1105 > _e1107));
+                                                                let _e1111 = select(_e1101, _e1109, (_e1109 > _e1101));
+                                                                let _e1113 = select(_e1091, _e1090, (_e1090 > _e1091));
+                                                                let _e1115 = select(_e1095, _e1094, (_e1094 > _e1095));
+                                                                let _e1117 = select(_e1115, _e1113, (_e1113 < _e1115));
+                                                                let _e1119 = select(_e1103, _e1117, (_e1117 < _e1103));
+                                                                let _e1120 = -(_e1101);
+                                                                let _e1126 = select(_e441, _e1111, (_e1111 > _e441));
+                                                                if (_e1126 > (_e1119 + (select(_e1120, _e1103, (_e1103 > _e1120)) * 0.0000019073523f))) {
+                                                                    phi_1850_ = type_22();
+                                                                    phi_1851_ = true;
                                                                 } else {
-                                                                    let _e1163 = vec3((_e1143 == _e1160));
-                                                                    phi_1498_ = select(_e1109, _e1117, _e1163);
-                                                                    phi_1499_ = select(_e1113, _e1109, _e1163);
-                                                                }
-                                                                let _e1167 = phi_1498_;
-                                                                let _e1169 = phi_1499_;
-                                                                let _e1176 = ((_e1167.y * _e1169.z) - (_e1169.y * _e1167.z));
-                                                                let _e1181 = ((_e1167.z * _e1169.x) - (_e1169.z * _e1167.x));
-                                                                let _e1184 = ((_e1167.x * _e1169.y) - (_e1169.x * _e1167.y));
-                                                                if (_e1026 >= _e1030) {
-                                                                    phi_1530_ = select(true, false, (_e1026 >= _e1034));
-                                                                } else {
-                                                                    phi_1530_ = true;
-                                                                }
-                                                                let _e1189 = phi_1530_;
-                                                                if _e1189 {
-                                                                    phi_1539_ = select(vec3<f32>(_e964[2][0], _e964[2][1], _e964[2][2]), vec3<f32>(_e964[1][0], _e964[1][1], _e964[1][2]), vec3((_e1030 >= _e1034)));
-                                                                } else {
-                                                                    phi_1539_ = vec3<f32>(_e964[0][0], _e964[0][1], _e964[0][2]);
-                                                                }
-                                                                let _e1194 = phi_1539_;
-                                                                let _e1211 = ((((_e1176 * (_e1194.x - _e288)) + (_e1181 * (_e1194.y - _e327))) + (_e1184 * (_e1194.z - _e365))) / (((_e1176 * _e313) + (_e1181 * _e351)) + (_e1184 * _e389)));
-                                                                let _e1213 = select(_e1093, _e1211, (_e1211 < _e1093));
-                                                                let _e1215 = select(_e1085, _e1213, (_e1213 > _e1085));
-                                                                if (_e1215 >= _e439) {
-                                                                    let _e1217 = (_e1215 <= _e868.member_1);
-                                                                    if _e1217 {
-                                                                        let _e1218 = (1f / _e1036);
-                                                                        phi_1579_ = type_22(_e1215, (_e1030 * _e1218), (_e1034 * _e1218), _e897);
+                                                                    let _e1128 = (_e1126 > _e870.member_1);
+                                                                    if _e1128 {
+                                                                        phi_1849_ = type_22();
                                                                     } else {
-                                                                        phi_1579_ = type_22();
+                                                                        let _e1129 = vec3<f32>(_e966[0][0], _e966[0][1], _e966[0][2]);
+                                                                        let _e1130 = vec3<f32>(_e966[1][0], _e966[1][1], _e966[1][2]);
+                                                                        let _e1131 = vec3<f32>(_e966[2][0], _e966[2][1], _e966[2][2]);
+                                                                        let _e1132 = (_e966[1][0] - _e966[0][0]);
+                                                                        let _e1133 = (_e966[1][1] - _e966[0][1]);
+                                                                        let _e1134 = (_e966[1][2] - _e966[0][2]);
+                                                                        let _e1135 = vec3<f32>(_e1132, _e1133, _e1134);
+                                                                        let _e1136 = (_e966[2][0] - _e966[1][0]);
+                                                                        let _e1137 = (_e966[2][1] - _e966[1][1]);
+                                                                        let _e1138 = (_e966[2][2] - _e966[1][2]);
+                                                                        let _e1139 = vec3<f32>(_e1136, _e1137, _e1138);
+                                                                        let _e1140 = (_e966[0][0] - _e966[2][0]);
+                                                                        let _e1141 = (_e966[0][1] - _e966[2][1]);
+                                                                        let _e1142 = (_e966[0][2] - _e966[2][2]);
+                                                                        let _e1143 = vec3<f32>(_e1140, _e1141, _e1142);
+                                                                        let _e1146 = bitcast<f32>((bitcast<u32>(_e1132) & 2147483647u));
+                                                                        let _e1149 = bitcast<f32>((bitcast<u32>(_e1133) & 2147483647u));
+                                                                        let _e1151 = select(_e1149, _e1146, (_e1146 > _e1149));
+                                                                        let _e1154 = bitcast<f32>((bitcast<u32>(_e1134) & 2147483647u));
+                                                                        let _e1156 = select(_e1154, _e1151, (_e1151 > _e1154));
+                                                                        let _e1159 = bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u));
+                                                                        let _e1162 = bitcast<f32>((bitcast<u32>(_e1137) & 2147483647u));
+                                                                        let _e1164 = select(_e1162, _e1159, (_e1159 > _e1162));
+                                                                        let _e1167 = bitcast<f32>((bitcast<u32>(_e1138) & 2147483647u));
+                                                                        let _e1169 = select(_e1167, _e1164, (_e1164 > _e1167));
+                                                                        let _e1172 = bitcast<f32>((bitcast<u32>(_e1140) & 2147483647u));
+                                                                        let _e1175 = bitcast<f32>((bitcast<u32>(_e1141) & 2147483647u));
+                                                                        let _e1177 = select(_e1175, _e1172, (_e1172 > _e1175));
+                                                                        let _e1180 = bitcast<f32>((bitcast<u32>(_e1142) & 2147483647u));
+                                                                        let _e1182 = select(_e1180, _e1177, (_e1177 > _e1180));
+                                                                        let _e1184 = select(_e1169, _e1156, (_e1156 > _e1169));
+                                                                        let _e1186 = select(_e1182, _e1184, (_e1184 > _e1182));
+                                                                        if (_e1156 == _e1186) {
+                                                                            phi_1579_ = _e993;
+                                                                            phi_1580_ = _e990;
+                                                                            phi_1581_ = _e980;
+                                                                            phi_1582_ = _e977;
+                                                                            phi_1583_ = _e1129;
+                                                                            phi_1584_ = _e1143;
+                                                                            phi_1585_ = _e1139;
+                                                                            phi_1586_ = _e1135;
+                                                                        } else {
+                                                                            let _e1188 = (_e1169 == _e1186);
+                                                                            let _e1193 = vec3(_e1188);
+                                                                            phi_1579_ = select(_e980, _e1006, _e1188);
+                                                                            phi_1580_ = select(_e977, _e1003, _e1188);
+                                                                            phi_1581_ = select(_e1006, _e993, _e1188);
+                                                                            phi_1582_ = select(_e1003, _e990, _e1188);
+                                                                            phi_1583_ = select(_e1131, _e1130, _e1193);
+                                                                            phi_1584_ = select(_e1139, _e1135, _e1193);
+                                                                            phi_1585_ = select(_e1135, _e1143, _e1193);
+                                                                            phi_1586_ = select(_e1143, _e1139, _e1193);
+                                                                        }
+                                                                        let _e1199 = phi_1579_;
+                                                                        let _e1201 = phi_1580_;
+                                                                        let _e1203 = phi_1581_;
+                                                                        let _e1205 = phi_1582_;
+                                                                        let _e1207 = phi_1583_;
+                                                                        let _e1209 = phi_1584_;
+                                                                        let _e1211 = phi_1585_;
+                                                                        let _e1213 = phi_1586_;
+                                                                        let _e1220 = ((_e1211.y * _e1209.z) - (_e1209.y * _e1211.z));
+                                                                        let _e1225 = ((_e1211.z * _e1209.x) - (_e1209.z * _e1211.x));
+                                                                        let _e1228 = ((_e1211.x * _e1209.y) - (_e1209.x * _e1211.y));
+                                                                        if (_e1028 >= _e1032) {
+                                                                            phi_1617_ = select(true, false, (_e1028 >= _e1036));
+                                                                        } else {
+                                                                            phi_1617_ = true;
+                                                                        }
+                                                                        let _e1233 = phi_1617_;
+                                                                        if _e1233 {
+                                                                            phi_1626_ = select(_e1131, _e1130, vec3((_e1032 >= _e1036)));
+                                                                        } else {
+                                                                            phi_1626_ = _e1129;
+                                                                        }
+                                                                        let _e1238 = phi_1626_;
+                                                                        let _e1243 = (((_e1220 * _e315) + (_e1225 * _e353)) + (_e1228 * _e391));
+                                                                        let _e1254 = (((_e1220 * (_e1238.x - _e290)) + (_e1225 * (_e1238.y - _e329))) + (_e1228 * (_e1238.z - _e367)));
+                                                                        let _e1256 = (_e1201 - _e1205);
+                                                                        let _e1257 = (_e1199 - _e1203);
+                                                                        let _e1265 = (-(((_e1205 * _e1256) + (_e1203 * _e1257))) / ((_e1256 * _e1256) + (_e1257 * _e1257)));
+                                                                        let _e1267 = select(1f, _e1265, (_e1265 < 1f));
+                                                                        let _e1269 = select(0f, _e1267, (_e1267 > 0f));
+                                                                        let _e1282 = ((_e1207.x + (_e1213.x * _e1269)) - _e290);
+                                                                        let _e1283 = ((_e1207.y + (_e1213.y * _e1269)) - _e329);
+                                                                        let _e1284 = ((_e1207.z + (_e1213.z * _e1269)) - _e367);
+                                                                        let _e1285 = (_e1284 / _e391);
+                                                                        let _e1297 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
+                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
+                                                                        let _e1302 = select(_e1300, _e1297, (_e1297 > _e1300));
+                                                                        let _e1305 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
+                                                                        let _e1307 = select(_e1305, _e1302, (_e1302 > _e1305));
+                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
+                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
+                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
+                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1220 * _e1282) + (_e1225 * _e1283)) + (_e1228 * _e1284)) - _e1254)) & 2147483647u)) <= ((0.0000009536743f * select(_e1186, _e1307, (_e1307 > _e1186))) * select(_e1321, _e1318, (_e1318 > _e1321)))) {
+                                                                            let _e1331 = bitcast<f32>((bitcast<u32>(_e1211.x) & 2147483647u));
+                                                                            let _e1334 = bitcast<f32>((bitcast<u32>(_e1211.y) & 2147483647u));
+                                                                            let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
+                                                                            let _e1339 = bitcast<f32>((bitcast<u32>(_e1211.z) & 2147483647u));
+                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1209.x) & 2147483647u));
+                                                                            let _e1348 = bitcast<f32>((bitcast<u32>(_e1209.y) & 2147483647u));
+                                                                            let _e1350 = select(_e1348, _e1345, (_e1345 > _e1348));
+                                                                            let _e1353 = bitcast<f32>((bitcast<u32>(_e1209.z) & 2147483647u));
+                                                                            phi_1793_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u)) > ((0.0000038146973f * select(_e1339, _e1336, (_e1336 > _e1339))) * select(_e1353, _e1350, (_e1350 > _e1353)))));
+                                                                        } else {
+                                                                            phi_1793_ = true;
+                                                                        }
+                                                                        let _e1360 = phi_1793_;
+                                                                        if _e1360 {
+                                                                            let _e1371 = ((((_e1220 * (_e1282 - (_e315 * _e1285))) + (_e1225 * (_e1283 - (_e353 * _e1285)))) + (_e1228 * (_e1284 - _e1284))) / _e1243);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1371) & 2147483647u)) <= _e1186) {
+                                                                                phi_1817_ = (_e1285 + _e1371);
+                                                                            } else {
+                                                                                phi_1817_ = _e1285;
+                                                                            }
+                                                                            let _e1378 = phi_1817_;
+                                                                            phi_1818_ = _e1378;
+                                                                        } else {
+                                                                            phi_1818_ = (_e1254 / _e1243);
+                                                                        }
+                                                                        let _e1380 = phi_1818_;
+                                                                        let _e1382 = select(_e1119, _e1380, (_e1380 < _e1119));
+                                                                        let _e1384 = select(_e1111, _e1382, (_e1382 > _e1111));
+                                                                        if (_e1384 >= _e441) {
+                                                                            let _e1386 = (_e1384 <= _e870.member_1);
+                                                                            if _e1386 {
+                                                                                let _e1387 = (1f / _e1038);
+                                                                                phi_1841_ = type_22(_e1384, (_e1032 * _e1387), (_e1036 * _e1387), _e899);
+                                                                            } else {
+                                                                                phi_1841_ = type_22();
+                                                                            }
+                                                                            let _e1392 = phi_1841_;
+                                                                            phi_1843_ = _e1392;
+                                                                            phi_1844_ = select(true, false, _e1386);
+                                                                        } else {
+                                                                            phi_1843_ = type_22();
+                                                                            phi_1844_ = true;
+                                                                        }
+                                                                        let _e1395 = phi_1843_;
+                                                                        let _e1397 = phi_1844_;
+                                                                        if _e1397 {
+                                                                            phi_1848_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1848_ = _e1395;
+                                                                        }
+                                                                        let _e1399 = phi_1848_;
+                                                                        phi_1849_ = _e1399;
                                                                     }
-                                                                    let _e1223 = phi_1579_;
-                                                                    phi_1581_ = _e1223;
-                                                                    phi_1582_ = select(true, false, _e1217);
-                                                                } else {
-                                                                    phi_1581_ = type_22();
-                                                                    phi_1582_ = true;
+                                                                    let _e1401 = phi_1849_;
+                                                                    phi_1850_ = _e1401;
+                                                                    phi_1851_ = _e1128;
                                                                 }
-                                                                let _e1226 = phi_1581_;
-                                                                let _e1228 = phi_1582_;
-                                                                if _e1228 {
-                                                                    phi_1586_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1586_ = _e1226;
-                                                                }
-                                                                let _e1230 = phi_1586_;
-                                                                phi_1587_ = _e1230;
+                                                                let _e1403 = phi_1850_;
+                                                                let _e1405 = phi_1851_;
+                                                                phi_1855_ = _e1403;
+                                                                phi_1856_ = _e1405;
                                                             }
-                                                            let _e1232 = phi_1587_;
-                                                            phi_1588_ = _e1232;
-                                                            phi_1589_ = _e1102;
+                                                            let _e1407 = phi_1855_;
+                                                            let _e1409 = phi_1856_;
+                                                            phi_1857_ = _e1407;
+                                                            phi_1858_ = _e1063;
+                                                            phi_1859_ = _e1409;
                                                         }
-                                                        let _e1234 = phi_1588_;
-                                                        let _e1236 = phi_1589_;
-                                                        phi_1593_ = _e1234;
-                                                        phi_1594_ = _e1236;
+                                                        let _e1411 = phi_1857_;
+                                                        let _e1413 = phi_1858_;
+                                                        let _e1415 = phi_1859_;
+                                                        phi_1860_ = _e1411;
+                                                        phi_1861_ = _e1413;
+                                                        phi_1862_ = _e1415;
                                                     }
-                                                    let _e1238 = phi_1593_;
-                                                    let _e1240 = phi_1594_;
-                                                    phi_1598_ = _e1238;
-                                                    phi_1599_ = _e1240;
+                                                    let _e1417 = phi_1860_;
+                                                    let _e1419 = phi_1861_;
+                                                    let _e1421 = phi_1862_;
+                                                    phi_1870_ = _e1417;
+                                                    phi_1871_ = select(_e1421, true, _e1419);
                                                 } else {
-                                                    phi_1598_ = type_22();
-                                                    phi_1599_ = true;
+                                                    phi_1870_ = type_22();
+                                                    phi_1871_ = true;
                                                 }
-                                                let _e1242 = phi_1598_;
-                                                let _e1244 = phi_1599_;
-                                                if _e1244 {
-                                                    phi_1603_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1424 = phi_1870_;
+                                                let _e1426 = phi_1871_;
+                                                if _e1426 {
+                                                    phi_1875_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1603_ = _e1242;
+                                                    phi_1875_ = _e1424;
                                                 }
-                                                let _e1246 = phi_1603_;
-                                                if (_e1246.member_3 != 4294967295u) {
-                                                    if (_e897 != 4294967295u) {
-                                                        if (_e1246.member < _e868.member.member) {
-                                                            phi_1629_ = true;
+                                                let _e1428 = phi_1875_;
+                                                if (_e1428.member_3 != 4294967295u) {
+                                                    if (_e899 != 4294967295u) {
+                                                        if (_e1428.member < _e870.member.member) {
+                                                            phi_1901_ = true;
                                                         } else {
-                                                            if (_e1246.member == _e868.member.member) {
-                                                                phi_1628_ = (_e1246.member_3 < _e868.member.member_3);
+                                                            if (_e1428.member == _e870.member.member) {
+                                                                phi_1900_ = (_e1428.member_3 < _e870.member.member_3);
                                                             } else {
-                                                                phi_1628_ = false;
+                                                                phi_1900_ = false;
                                                             }
-                                                            let _e1259 = phi_1628_;
-                                                            phi_1629_ = _e1259;
+                                                            let _e1441 = phi_1900_;
+                                                            phi_1901_ = _e1441;
                                                         }
-                                                        let _e1261 = phi_1629_;
-                                                        if _e1261 {
-                                                            phi_1635_ = type_33(_e1246, _e1246.member);
+                                                        let _e1443 = phi_1901_;
+                                                        if _e1443 {
+                                                            phi_1907_ = type_33(_e1428, _e1428.member);
                                                         } else {
-                                                            phi_1635_ = _e868;
+                                                            phi_1907_ = _e870;
                                                         }
-                                                        let _e1264 = phi_1635_;
-                                                        phi_1636_ = _e1264;
+                                                        let _e1446 = phi_1907_;
+                                                        phi_1908_ = _e1446;
                                                     } else {
-                                                        phi_1636_ = _e868;
+                                                        phi_1908_ = _e870;
                                                     }
-                                                    let _e1266 = phi_1636_;
-                                                    phi_1637_ = _e1266;
+                                                    let _e1448 = phi_1908_;
+                                                    phi_1909_ = _e1448;
                                                 } else {
-                                                    phi_1637_ = _e868;
+                                                    phi_1909_ = _e870;
                                                 }
-                                                let _e1268 = phi_1637_;
-                                                phi_892_ = _e1268;
+                                                let _e1450 = phi_1909_;
+                                                phi_897_ = _e1450;
                                             } else {
-                                                phi_892_ = type_33();
+                                                phi_897_ = type_33();
                                             }
-                                            let _e1270 = phi_892_;
+                                            let _e1452 = phi_897_;
                                             continue;
                                             continuing {
-                                                phi_891_ = _e1270;
-                                                phi_894_ = _e883;
-                                                phi_2698_ = _e471;
-                                                break if !(_e889);
+                                                phi_896_ = _e1452;
+                                                phi_899_ = _e885;
+                                                phi_2970_ = _e473;
+                                                break if !(_e891);
                                             }
                                         }
-                                        let _e1273 = phi_2698_;
-                                        phi_2812_ = _e1273;
-                                        if _e1273 {
+                                        let _e1455 = phi_2970_;
+                                        phi_3112_ = _e1455;
+                                        if _e1455 {
                                             break;
                                         }
-                                        phi_2816_ = _e1273;
-                                        let _e1441 = local_11;
-                                        phi_2586_ = _e1441;
-                                        phi_2587_ = _e512;
-                                        phi_2588_ = false;
-                                        phi_2589_ = _e516;
+                                        phi_3116_ = _e1455;
+                                        let _e1640 = local_11;
+                                        phi_2858_ = _e1640;
+                                        phi_2859_ = _e514;
+                                        phi_2860_ = false;
+                                        phi_2861_ = _e518;
                                     } else {
-                                        let _e525 = (_e512.member_1 < _e77);
-                                        if _e525 {
-                                            if _e525 {
+                                        let _e527 = (_e514.member_1 < _e79);
+                                        if _e527 {
+                                            if _e527 {
                                             } else {
-                                                phi_2812_ = true;
+                                                phi_3112_ = true;
                                                 break;
                                             }
-                                            let _e527 = global_5.member[_e512.member_1];
-                                            phi_1656_ = _e527;
+                                            let _e529 = global_5.member[_e514.member_1];
+                                            phi_1928_ = _e529;
                                         } else {
-                                            phi_1656_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_1928_ = type_42(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e529 = phi_1656_;
-                                        let _e544 = ((10u * _e239) & 31u);
-                                        let _e547 = ((_e529.member[0] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e552 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[0] - _e512.member.member[0]) * 0.0009775171f)) ^ _e111));
-                                        let _e558 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e547) * _e552)) ^ _e111)));
-                                        let _e562 = select(select(_e512.member.member_1[0], _e558, (_e558 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e547 == 1023u));
-                                        let _e564 = ((10u * _e238) & 31u);
-                                        let _e567 = ((_e529.member[0] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e572 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[1] - _e512.member.member[1]) * 0.0009775171f)) ^ _e111));
-                                        let _e578 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e567) * _e572)) ^ _e111)));
-                                        let _e582 = select(select(_e512.member.member_1[1], _e578, (_e578 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e567 == 1023u));
-                                        let _e584 = ((10u * _e240) & 31u);
-                                        let _e587 = ((_e529.member[0] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e592 = bitcast<f32>((bitcast<u32>(((_e512.member.member_1[2] - _e512.member.member[2]) * 0.0009775171f)) ^ _e111));
-                                        let _e598 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e587) * _e592)) ^ _e111)));
-                                        let _e602 = select(select(_e512.member.member_1[2], _e598, (_e598 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e587 == 1023u));
-                                        let _e605 = ((_e529.member[1] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e611 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e605) * _e552)) ^ _e111)));
-                                        let _e615 = select(select(_e512.member.member_1[0], _e611, (_e611 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e605 == 1023u));
-                                        let _e618 = ((_e529.member[1] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e624 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e618) * _e572)) ^ _e111)));
-                                        let _e628 = select(select(_e512.member.member_1[1], _e624, (_e624 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e618 == 1023u));
-                                        let _e631 = ((_e529.member[1] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e637 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e631) * _e592)) ^ _e111)));
-                                        let _e641 = select(select(_e512.member.member_1[2], _e637, (_e637 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e631 == 1023u));
-                                        let _e647 = ((_e529.member_1[0] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e653 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e647) * _e552)) ^ _e111)));
-                                        let _e657 = select(select(_e512.member.member_1[0], _e653, (_e653 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e647 == 1023u));
-                                        let _e660 = ((_e529.member_1[0] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e666 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e660) * _e572)) ^ _e111)));
-                                        let _e670 = select(select(_e512.member.member_1[1], _e666, (_e666 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e660 == 1023u));
-                                        let _e673 = ((_e529.member_1[0] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e679 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e673) * _e592)) ^ _e111)));
-                                        let _e683 = select(select(_e512.member.member_1[2], _e679, (_e679 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e673 == 1023u));
-                                        let _e686 = ((_e529.member_1[1] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e692 = (_e512.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e686) * _e552)) ^ _e111)));
-                                        let _e696 = select(select(_e512.member.member_1[0], _e692, (_e692 < _e512.member.member_1[0])), _e512.member.member_1[0], (_e686 == 1023u));
-                                        let _e699 = ((_e529.member_1[1] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e705 = (_e512.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e699) * _e572)) ^ _e111)));
-                                        let _e709 = select(select(_e512.member.member_1[1], _e705, (_e705 < _e512.member.member_1[1])), _e512.member.member_1[1], (_e699 == 1023u));
-                                        let _e712 = ((_e529.member_1[1] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e718 = (_e512.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e712) * _e592)) ^ _e111)));
-                                        let _e722 = select(select(_e512.member.member_1[2], _e718, (_e718 < _e512.member.member_1[2])), _e512.member.member_1[2], (_e712 == 1023u));
-                                        let _e727 = type_49(type_47(array<f32, 3>(_e562, _e582, _e602), array<f32, 3>(_e615, _e628, _e641)), _e529.member_2);
-                                        let _e732 = type_49(type_47(array<f32, 3>(_e657, _e670, _e683), array<f32, 3>(_e696, _e709, _e722)), _e529.member_3);
-                                        let _e738 = ((_e562 - _e311) * _e316);
-                                        let _e739 = ((_e657 - _e311) * _e316);
-                                        let _e740 = ((_e615 - _e312) * _e316);
-                                        let _e741 = ((_e696 - _e312) * _e316);
-                                        let _e746 = ((_e582 - _e349) * _e354);
-                                        let _e747 = ((_e670 - _e349) * _e354);
-                                        let _e748 = ((_e628 - _e350) * _e354);
-                                        let _e749 = ((_e709 - _e350) * _e354);
-                                        let _e754 = ((_e602 - _e387) * _e392);
-                                        let _e755 = ((_e683 - _e387) * _e392);
-                                        let _e756 = ((_e641 - _e388) * _e392);
-                                        let _e757 = ((_e722 - _e388) * _e392);
-                                        let _e759 = select(_e756, _e754, (_e754 < _e756));
-                                        let _e761 = select(_e757, _e755, (_e755 < _e757));
-                                        let _e763 = select(_e756, _e754, (_e754 > _e756));
-                                        let _e765 = select(_e757, _e755, (_e755 > _e757));
-                                        let _e767 = select(_e740, _e738, (_e738 < _e740));
-                                        let _e769 = select(_e741, _e739, (_e739 < _e741));
-                                        let _e771 = select(_e748, _e746, (_e746 < _e748));
-                                        let _e773 = select(_e749, _e747, (_e747 < _e749));
-                                        let _e775 = select(_e771, _e767, (_e767 > _e771));
+                                        let _e531 = phi_1928_;
+                                        let _e546 = ((10u * _e241) & 31u);
+                                        let _e549 = ((_e531.member[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e554 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[0] - _e514.member.member[0]) * 0.0009775171f)) ^ _e113));
+                                        let _e560 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e549) * _e554)) ^ _e113)));
+                                        let _e564 = select(select(_e514.member.member_1[0], _e560, (_e560 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e549 == 1023u));
+                                        let _e566 = ((10u * _e240) & 31u);
+                                        let _e569 = ((_e531.member[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e574 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[1] - _e514.member.member[1]) * 0.0009775171f)) ^ _e113));
+                                        let _e580 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e569) * _e574)) ^ _e113)));
+                                        let _e584 = select(select(_e514.member.member_1[1], _e580, (_e580 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e569 == 1023u));
+                                        let _e586 = ((10u * _e242) & 31u);
+                                        let _e589 = ((_e531.member[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e594 = bitcast<f32>((bitcast<u32>(((_e514.member.member_1[2] - _e514.member.member[2]) * 0.0009775171f)) ^ _e113));
+                                        let _e600 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e589) * _e594)) ^ _e113)));
+                                        let _e604 = select(select(_e514.member.member_1[2], _e600, (_e600 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e589 == 1023u));
+                                        let _e607 = ((_e531.member[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e613 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e607) * _e554)) ^ _e113)));
+                                        let _e617 = select(select(_e514.member.member_1[0], _e613, (_e613 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e607 == 1023u));
+                                        let _e620 = ((_e531.member[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e626 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e620) * _e574)) ^ _e113)));
+                                        let _e630 = select(select(_e514.member.member_1[1], _e626, (_e626 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e620 == 1023u));
+                                        let _e633 = ((_e531.member[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e639 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e633) * _e594)) ^ _e113)));
+                                        let _e643 = select(select(_e514.member.member_1[2], _e639, (_e639 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e633 == 1023u));
+                                        let _e649 = ((_e531.member_1[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e655 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e554)) ^ _e113)));
+                                        let _e659 = select(select(_e514.member.member_1[0], _e655, (_e655 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e649 == 1023u));
+                                        let _e662 = ((_e531.member_1[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e668 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e662) * _e574)) ^ _e113)));
+                                        let _e672 = select(select(_e514.member.member_1[1], _e668, (_e668 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e662 == 1023u));
+                                        let _e675 = ((_e531.member_1[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e681 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e675) * _e594)) ^ _e113)));
+                                        let _e685 = select(select(_e514.member.member_1[2], _e681, (_e681 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e675 == 1023u));
+                                        let _e688 = ((_e531.member_1[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e694 = (_e514.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e688) * _e554)) ^ _e113)));
+                                        let _e698 = select(select(_e514.member.member_1[0], _e694, (_e694 < _e514.member.member_1[0])), _e514.member.member_1[0], (_e688 == 1023u));
+                                        let _e701 = ((_e531.member_1[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e707 = (_e514.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e701) * _e574)) ^ _e113)));
+                                        let _e711 = select(select(_e514.member.member_1[1], _e707, (_e707 < _e514.member.member_1[1])), _e514.member.member_1[1], (_e701 == 1023u));
+                                        let _e714 = ((_e531.member_1[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e720 = (_e514.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e594)) ^ _e113)));
+                                        let _e724 = select(select(_e514.member.member_1[2], _e720, (_e720 < _e514.member.member_1[2])), _e514.member.member_1[2], (_e714 == 1023u));
+                                        let _e729 = type_49(type_47(array<f32, 3>(_e564, _e584, _e604), array<f32, 3>(_e617, _e630, _e643)), _e531.member_2);
+                                        let _e734 = type_49(type_47(array<f32, 3>(_e659, _e672, _e685), array<f32, 3>(_e698, _e711, _e724)), _e531.member_3);
+                                        let _e740 = ((_e564 - _e313) * _e318);
+                                        let _e741 = ((_e659 - _e313) * _e318);
+                                        let _e742 = ((_e617 - _e314) * _e318);
+                                        let _e743 = ((_e698 - _e314) * _e318);
+                                        let _e748 = ((_e584 - _e351) * _e356);
+                                        let _e749 = ((_e672 - _e351) * _e356);
+                                        let _e750 = ((_e630 - _e352) * _e356);
+                                        let _e751 = ((_e711 - _e352) * _e356);
+                                        let _e756 = ((_e604 - _e389) * _e394);
+                                        let _e757 = ((_e685 - _e389) * _e394);
+                                        let _e758 = ((_e643 - _e390) * _e394);
+                                        let _e759 = ((_e724 - _e390) * _e394);
+                                        let _e761 = select(_e758, _e756, (_e756 < _e758));
+                                        let _e763 = select(_e759, _e757, (_e757 < _e759));
+                                        let _e765 = select(_e758, _e756, (_e756 > _e758));
+                                        let _e767 = select(_e759, _e757, (_e757 > _e759));
+                                        let _e769 = select(_e742, _e740, (_e740 < _e742));
+                                        let _e771 = select(_e743, _e741, (_e741 < _e743));
+                                        let _e773 = select(_e750, _e748, (_e748 < _e750));
+                                        let _e775 = select(_e751, _e749, (_e749 < _e751));
                                         let _e777 = select(_e773, _e769, (_e769 > _e773));
-                                        let _e779 = select(_e759, _e775, (_e775 > _e759));
+                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
                                         let _e781 = select(_e761, _e777, (_e777 > _e761));
-                                        let _e783 = select(_e740, _e738, (_e738 > _e740));
-                                        let _e785 = select(_e741, _e739, (_e739 > _e741));
-                                        let _e787 = select(_e748, _e746, (_e746 > _e748));
-                                        let _e789 = select(_e749, _e747, (_e747 > _e749));
-                                        let _e791 = select(_e787, _e783, (_e783 < _e787));
+                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
+                                        let _e785 = select(_e742, _e740, (_e740 > _e742));
+                                        let _e787 = select(_e743, _e741, (_e741 > _e743));
+                                        let _e789 = select(_e750, _e748, (_e748 > _e750));
+                                        let _e791 = select(_e751, _e749, (_e749 > _e751));
                                         let _e793 = select(_e789, _e785, (_e785 < _e789));
-                                        let _e798 = -(_e759);
-                                        let _e799 = -(_e761);
-                                        let _e806 = (select(_e763, _e791, (_e791 < _e763)) + (select(_e798, _e763, (_e763 > _e798)) * 0.0000019073523f));
-                                        let _e807 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e799, _e765, (_e765 > _e799)) * 0.0000019073523f));
-                                        let _e809 = select(_e439, _e779, (_e779 > _e439));
-                                        let _e811 = select(_e439, _e781, (_e781 > _e439));
-                                        let _e816 = (_e809 <= select(_e473.member_1, _e806, (_e806 < _e473.member_1)));
-                                        let _e817 = (_e811 <= select(_e473.member_1, _e807, (_e807 < _e473.member_1)));
-                                        let _e818 = (_e809 <= _e811);
-                                        if _e816 {
-                                            if _e817 {
-                                                if _e818 {
-                                                    phi_2488_ = _e732;
+                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
+                                        let _e800 = -(_e761);
+                                        let _e801 = -(_e763);
+                                        let _e808 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e800, _e765, (_e765 > _e800)) * 0.0000019073523f));
+                                        let _e809 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e801, _e767, (_e767 > _e801)) * 0.0000019073523f));
+                                        let _e811 = select(_e441, _e781, (_e781 > _e441));
+                                        let _e813 = select(_e441, _e783, (_e783 > _e441));
+                                        let _e818 = (_e811 <= select(_e475.member_1, _e808, (_e808 < _e475.member_1)));
+                                        let _e819 = (_e813 <= select(_e475.member_1, _e809, (_e809 < _e475.member_1)));
+                                        let _e820 = (_e811 <= _e813);
+                                        if _e818 {
+                                            if _e819 {
+                                                if _e820 {
+                                                    phi_2760_ = _e734;
                                                 } else {
-                                                    phi_2488_ = _e727;
+                                                    phi_2760_ = _e729;
                                                 }
-                                                let _e820 = phi_2488_;
-                                                let _e828 = (_e516 % 128u);
-                                                let _e829 = (_e828 < 128u);
-                                                if _e829 {
+                                                let _e822 = phi_2760_;
+                                                let _e830 = (_e518 % 128u);
+                                                let _e831 = (_e830 < 128u);
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_6[_e828] = _e820.member_1;
-                                                if _e829 {
+                                                local_6[_e830] = _e822.member_1;
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_5[_e828] = _e820.member.member[0];
-                                                if _e829 {
+                                                local_5[_e830] = _e822.member.member[0];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_4[_e828] = _e820.member.member[1];
-                                                if _e829 {
+                                                local_4[_e830] = _e822.member.member[1];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_3[_e828] = _e820.member.member[2];
-                                                if _e829 {
+                                                local_3[_e830] = _e822.member.member[2];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_2[_e828] = _e820.member.member_1[0];
-                                                if _e829 {
+                                                local_2[_e830] = _e822.member.member_1[0];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_1[_e828] = _e820.member.member_1[1];
-                                                if _e829 {
+                                                local_1[_e830] = _e822.member.member_1[1];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local[_e828] = _e820.member.member_1[2];
-                                                if _e829 {
+                                                local[_e830] = _e822.member.member_1[2];
+                                                if _e831 {
                                                 } else {
-                                                    phi_2812_ = true;
+                                                    phi_3112_ = true;
                                                     break;
                                                 }
-                                                local_7[_e828] = select(_e811, _e809, (_e809 > _e811));
-                                                if _e818 {
-                                                    phi_2565_ = _e727;
+                                                local_7[_e830] = select(_e813, _e811, (_e811 > _e813));
+                                                if _e820 {
+                                                    phi_2837_ = _e729;
                                                 } else {
-                                                    phi_2565_ = _e732;
+                                                    phi_2837_ = _e734;
                                                 }
-                                                let _e846 = phi_2565_;
-                                                phi_2566_ = _e846;
-                                                phi_2567_ = (_e516 + 1u);
+                                                let _e848 = phi_2837_;
+                                                phi_2838_ = _e848;
+                                                phi_2839_ = (_e518 + 1u);
                                             } else {
-                                                phi_2566_ = type_49();
-                                                phi_2567_ = u32();
+                                                phi_2838_ = type_49();
+                                                phi_2839_ = u32();
                                             }
-                                            let _e848 = phi_2566_;
-                                            let _e850 = phi_2567_;
-                                            phi_2569_ = _e848;
-                                            phi_2570_ = _e850;
-                                            phi_2571_ = select(true, false, _e817);
+                                            let _e850 = phi_2838_;
+                                            let _e852 = phi_2839_;
+                                            phi_2841_ = _e850;
+                                            phi_2842_ = _e852;
+                                            phi_2843_ = select(true, false, _e819);
                                         } else {
-                                            phi_2569_ = type_49();
-                                            phi_2570_ = u32();
-                                            phi_2571_ = true;
+                                            phi_2841_ = type_49();
+                                            phi_2842_ = u32();
+                                            phi_2843_ = true;
                                         }
-                                        let _e853 = phi_2569_;
-                                        let _e855 = phi_2570_;
-                                        let _e857 = phi_2571_;
-                                        if _e857 {
-                                            if _e816 {
-                                                phi_2578_ = _e727;
+                                        let _e855 = phi_2841_;
+                                        let _e857 = phi_2842_;
+                                        let _e859 = phi_2843_;
+                                        if _e859 {
+                                            if _e818 {
+                                                phi_2850_ = _e729;
                                             } else {
-                                                phi_2578_ = _e732;
+                                                phi_2850_ = _e734;
                                             }
-                                            let _e859 = phi_2578_;
-                                            phi_2583_ = _e859;
-                                            phi_2584_ = select(_e817, true, _e816);
+                                            let _e861 = phi_2850_;
+                                            phi_2855_ = _e861;
+                                            phi_2856_ = select(_e819, true, _e818);
                                         } else {
-                                            phi_2583_ = _e853;
-                                            phi_2584_ = _e514;
+                                            phi_2855_ = _e855;
+                                            phi_2856_ = _e516;
                                         }
-                                        let _e862 = phi_2583_;
-                                        let _e864 = phi_2584_;
-                                        phi_2816_ = _e471;
-                                        phi_2586_ = _e473;
-                                        phi_2587_ = _e862;
-                                        phi_2588_ = _e864;
-                                        phi_2589_ = select(_e855, _e516, _e857);
+                                        let _e864 = phi_2855_;
+                                        let _e866 = phi_2856_;
+                                        phi_3116_ = _e473;
+                                        phi_2858_ = _e475;
+                                        phi_2859_ = _e864;
+                                        phi_2860_ = _e866;
+                                        phi_2861_ = select(_e857, _e518, _e859);
                                     }
-                                    let _e1275 = phi_2816_;
-                                    let _e1277 = phi_2586_;
-                                    let _e1279 = phi_2587_;
-                                    let _e1281 = phi_2588_;
-                                    let _e1283 = phi_2589_;
-                                    phi_2815_ = _e1275;
-                                    phi_2590_ = _e1277;
-                                    phi_2591_ = _e1279;
-                                    phi_2592_ = (_e477 - 1u);
-                                    phi_2593_ = _e1281;
-                                    phi_2594_ = _e1283;
+                                    let _e1457 = phi_3116_;
+                                    let _e1459 = phi_2858_;
+                                    let _e1461 = phi_2859_;
+                                    let _e1463 = phi_2860_;
+                                    let _e1465 = phi_2861_;
+                                    phi_3115_ = _e1457;
+                                    phi_2862_ = _e1459;
+                                    phi_2863_ = _e1461;
+                                    phi_2864_ = (_e479 - 1u);
+                                    phi_2865_ = _e1463;
+                                    phi_2866_ = _e1465;
                                 } else {
-                                    phi_2815_ = _e471;
-                                    phi_2590_ = _e473;
-                                    phi_2591_ = _e512;
-                                    phi_2592_ = _e477;
-                                    phi_2593_ = _e514;
-                                    phi_2594_ = _e516;
+                                    phi_3115_ = _e473;
+                                    phi_2862_ = _e475;
+                                    phi_2863_ = _e514;
+                                    phi_2864_ = _e479;
+                                    phi_2865_ = _e516;
+                                    phi_2866_ = _e518;
                                 }
-                                let _e1285 = phi_2815_;
-                                let _e1287 = phi_2590_;
-                                let _e1289 = phi_2591_;
-                                let _e1291 = phi_2592_;
-                                let _e1293 = phi_2593_;
-                                let _e1295 = phi_2594_;
-                                phi_2814_ = _e1285;
-                                phi_2595_ = _e1287;
-                                phi_2596_ = _e1289;
-                                phi_2597_ = _e1291;
-                                phi_2598_ = _e1293;
-                                phi_2599_ = _e1295;
+                                let _e1467 = phi_3115_;
+                                let _e1469 = phi_2862_;
+                                let _e1471 = phi_2863_;
+                                let _e1473 = phi_2864_;
+                                let _e1475 = phi_2865_;
+                                let _e1477 = phi_2866_;
+                                phi_3114_ = _e1467;
+                                phi_2867_ = _e1469;
+                                phi_2868_ = _e1471;
+                                phi_2869_ = _e1473;
+                                phi_2870_ = _e1475;
+                                phi_2871_ = _e1477;
                             } else {
-                                phi_2814_ = _e471;
-                                phi_2595_ = type_33();
-                                phi_2596_ = type_49();
-                                phi_2597_ = u32();
-                                phi_2598_ = bool();
-                                phi_2599_ = u32();
+                                phi_3114_ = _e473;
+                                phi_2867_ = type_33();
+                                phi_2868_ = type_49();
+                                phi_2869_ = u32();
+                                phi_2870_ = bool();
+                                phi_2871_ = u32();
                             }
-                            let _e1297 = phi_2814_;
-                            let _e1299 = phi_2595_;
-                            let _e1301 = phi_2596_;
-                            let _e1303 = phi_2597_;
-                            let _e1305 = phi_2598_;
-                            let _e1307 = phi_2599_;
-                            phi_2813_ = _e1297;
-                            phi_766_ = _e1299;
-                            phi_769_ = _e1301;
-                            phi_771_ = _e1303;
-                            phi_773_ = _e1305;
-                            phi_775_ = _e1307;
-                            phi_2600_ = _e485;
+                            let _e1479 = phi_3114_;
+                            let _e1481 = phi_2867_;
+                            let _e1483 = phi_2868_;
+                            let _e1485 = phi_2869_;
+                            let _e1487 = phi_2870_;
+                            let _e1489 = phi_2871_;
+                            phi_3113_ = _e1479;
+                            phi_771_ = _e1481;
+                            phi_774_ = _e1483;
+                            phi_776_ = _e1485;
+                            phi_778_ = _e1487;
+                            phi_780_ = _e1489;
+                            phi_2872_ = _e487;
                         } else {
-                            phi_2813_ = _e471;
-                            phi_766_ = type_33();
-                            phi_769_ = type_49();
-                            phi_771_ = u32();
-                            phi_773_ = bool();
-                            phi_775_ = u32();
-                            phi_2600_ = false;
+                            phi_3113_ = _e473;
+                            phi_771_ = type_33();
+                            phi_774_ = type_49();
+                            phi_776_ = u32();
+                            phi_778_ = bool();
+                            phi_780_ = u32();
+                            phi_2872_ = false;
                         }
-                        let _e1309 = phi_2813_;
-                        let _e1311 = phi_766_;
-                        let _e1313 = phi_769_;
-                        let _e1315 = phi_771_;
-                        let _e1317 = phi_773_;
-                        let _e1319 = phi_775_;
-                        let _e1321 = phi_2600_;
+                        let _e1491 = phi_3113_;
+                        let _e1493 = phi_771_;
+                        let _e1495 = phi_774_;
+                        let _e1497 = phi_776_;
+                        let _e1499 = phi_778_;
+                        let _e1501 = phi_780_;
+                        let _e1503 = phi_2872_;
                         continue;
                         continuing {
-                            phi_2704_ = _e1309;
-                            phi_765_ = _e1311;
-                            phi_768_ = _e1313;
-                            phi_770_ = _e1315;
-                            phi_772_ = _e1317;
-                            phi_774_ = _e1319;
-                            phi_2812_ = _e1309;
-                            break if !(_e1321);
+                            phi_2976_ = _e1491;
+                            phi_770_ = _e1493;
+                            phi_773_ = _e1495;
+                            phi_775_ = _e1497;
+                            phi_777_ = _e1499;
+                            phi_779_ = _e1501;
+                            phi_3112_ = _e1491;
+                            break if !(_e1503);
                         }
                     }
-                    let _e1324 = phi_2812_;
-                    if _e1324 {
+                    let _e1506 = phi_3112_;
+                    if _e1506 {
                         break;
                     }
-                    let _e1326 = local_10;
-                    if (_e1326.member.member_3 != 4294967295u) {
-                        let _e1331 = -(_e406);
-                        let _e1332 = (_e1331 / 3i);
-                        let _e1339 = bitcast<f32>((bitcast<u32>((_e1332 + 127i)) << bitcast<u32>(23i)));
-                        let _e1347 = (((_e1326.member.member * _e1339) * _e1339) * bitcast<f32>((bitcast<u32>(((_e1331 - (2i * _e1332)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1349 = select(340282350000000000000000000000000000000f, _e1347, (_e1347 < 340282350000000000000000000000000000000f));
-                        phi_2652_ = type_22(select(-340282350000000000000000000000000000000f, _e1349, (_e1349 > -340282350000000000000000000000000000000f)), _e1326.member.member_1, _e1326.member.member_2, _e1326.member.member_3);
+                    let _e1508 = local_10;
+                    if (_e1508.member.member_3 != 4294967295u) {
+                        let _e1513 = -(_e408);
+                        let _e1514 = (_e1513 / 3i);
+                        let _e1521 = bitcast<f32>((bitcast<u32>((_e1514 + 127i)) << bitcast<u32>(23i)));
+                        let _e1529 = (((_e1508.member.member * _e1521) * _e1521) * bitcast<f32>((bitcast<u32>(((_e1513 - (2i * _e1514)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1531 = select(340282350000000000000000000000000000000f, _e1529, (_e1529 < 340282350000000000000000000000000000000f));
+                        phi_2924_ = type_22(select(-340282350000000000000000000000000000000f, _e1531, (_e1531 > -340282350000000000000000000000000000000f)), _e1508.member.member_1, _e1508.member.member_2, _e1508.member.member_3);
                     } else {
-                        phi_2652_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_2924_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1356 = phi_2652_;
-                    if _e127 {
+                    let _e1538 = phi_2924_;
+                    if _e129 {
                     } else {
                         break;
                     }
-                    global_6.member[_e125] = _e1356;
+                    global_6.member[_e127] = _e1538;
                 }
             }
             break;

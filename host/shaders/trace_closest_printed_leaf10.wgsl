@@ -93,374 +93,391 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_327_: i32;
-    var phi_328_: i32;
-    var phi_338_: bool;
-    var phi_348_: u32;
-    var phi_349_: u32;
-    var phi_351_: bool;
-    var phi_356_: u32;
-    var phi_368_: i32;
-    var phi_388_: i32;
-    var phi_406_: f32;
-    var phi_412_: f32;
-    var phi_423_: f32;
-    var phi_429_: f32;
-    var phi_452_: f32;
-    var phi_463_: f32;
-    var phi_472_: f32;
-    var phi_478_: f32;
-    var phi_489_: f32;
-    var phi_495_: f32;
-    var phi_518_: f32;
-    var phi_529_: f32;
-    var phi_538_: f32;
-    var phi_544_: f32;
-    var phi_555_: f32;
-    var phi_561_: f32;
-    var phi_584_: f32;
-    var phi_595_: f32;
-    var phi_695_: f32;
-    var phi_696_: f32;
-    var phi_2875_: bool;
-    var phi_769_: type_29;
-    var phi_772_: type_50;
-    var phi_774_: u32;
-    var phi_776_: bool;
-    var phi_778_: u32;
-    var phi_789_: bool;
-    var phi_875_: type_50;
-    var phi_876_: bool;
-    var phi_877_: u32;
-    var phi_1827_: type_37;
-    var phi_2659_: type_50;
-    var phi_2736_: type_50;
-    var phi_2737_: type_50;
-    var phi_2738_: u32;
-    var phi_2740_: type_50;
-    var phi_2741_: u32;
-    var phi_2742_: bool;
-    var phi_2749_: type_50;
-    var phi_2754_: type_50;
-    var phi_2755_: bool;
-    var phi_896_: type_29;
-    var phi_899_: type_4;
-    var phi_900_: type_4;
-    var phi_922_: type_4;
-    var phi_947_: u32;
-    var phi_963_: type_44;
-    var phi_1669_: vec3<f32>;
-    var phi_1670_: vec3<f32>;
-    var phi_1701_: bool;
-    var phi_1710_: vec3<f32>;
-    var phi_1750_: type_18;
-    var phi_1752_: type_18;
-    var phi_1753_: bool;
-    var phi_1757_: type_18;
-    var phi_1758_: type_18;
-    var phi_1759_: type_18;
-    var phi_1760_: bool;
-    var phi_1764_: type_18;
-    var phi_1765_: bool;
-    var phi_1769_: type_18;
-    var phi_1770_: bool;
-    var phi_1774_: type_18;
-    var phi_1799_: bool;
-    var phi_1800_: bool;
-    var phi_1806_: type_29;
-    var phi_1807_: type_29;
-    var phi_1808_: type_29;
-    var phi_897_: type_29;
-    var phi_2869_: bool;
-    var phi_3005_: bool;
-    var phi_2757_: type_29;
-    var phi_2758_: type_50;
-    var phi_2759_: bool;
-    var phi_2760_: u32;
-    var phi_3004_: bool;
-    var phi_2761_: type_29;
-    var phi_2762_: type_50;
-    var phi_2763_: u32;
-    var phi_2764_: bool;
-    var phi_2765_: u32;
-    var phi_3003_: bool;
-    var phi_2766_: type_29;
-    var phi_2767_: type_50;
-    var phi_2768_: u32;
-    var phi_2769_: bool;
-    var phi_2770_: u32;
-    var phi_3002_: bool;
-    var phi_770_: type_29;
-    var phi_773_: type_50;
-    var phi_775_: u32;
-    var phi_777_: bool;
+    var phi_332_: i32;
+    var phi_333_: i32;
+    var phi_343_: bool;
+    var phi_353_: u32;
+    var phi_354_: u32;
+    var phi_356_: bool;
+    var phi_361_: u32;
+    var phi_373_: i32;
+    var phi_393_: i32;
+    var phi_411_: f32;
+    var phi_417_: f32;
+    var phi_428_: f32;
+    var phi_434_: f32;
+    var phi_457_: f32;
+    var phi_468_: f32;
+    var phi_477_: f32;
+    var phi_483_: f32;
+    var phi_494_: f32;
+    var phi_500_: f32;
+    var phi_523_: f32;
+    var phi_534_: f32;
+    var phi_543_: f32;
+    var phi_549_: f32;
+    var phi_560_: f32;
+    var phi_566_: f32;
+    var phi_589_: f32;
+    var phi_600_: f32;
+    var phi_700_: f32;
+    var phi_701_: f32;
+    var phi_3147_: bool;
+    var phi_774_: type_29;
+    var phi_777_: type_50;
     var phi_779_: u32;
-    var phi_2771_: bool;
-    var phi_3001_: bool;
+    var phi_781_: bool;
+    var phi_783_: u32;
+    var phi_794_: bool;
+    var phi_880_: type_50;
+    var phi_881_: bool;
+    var phi_882_: u32;
+    var phi_2099_: type_37;
+    var phi_2931_: type_50;
+    var phi_3008_: type_50;
+    var phi_3009_: type_50;
+    var phi_3010_: u32;
+    var phi_3012_: type_50;
+    var phi_3013_: u32;
+    var phi_3014_: bool;
+    var phi_3021_: type_50;
+    var phi_3026_: type_50;
+    var phi_3027_: bool;
+    var phi_901_: type_29;
+    var phi_904_: type_4;
+    var phi_905_: type_4;
+    var phi_927_: type_4;
+    var phi_952_: u32;
+    var phi_968_: type_44;
+    var phi_1344_: bool;
+    var phi_1373_: bool;
+    var phi_1750_: f32;
+    var phi_1751_: f32;
+    var phi_1752_: f32;
+    var phi_1753_: f32;
+    var phi_1754_: vec3<f32>;
+    var phi_1755_: vec3<f32>;
+    var phi_1756_: vec3<f32>;
+    var phi_1757_: vec3<f32>;
+    var phi_1788_: bool;
+    var phi_1797_: vec3<f32>;
+    var phi_1964_: bool;
+    var phi_1988_: f32;
+    var phi_1989_: f32;
+    var phi_2012_: type_18;
+    var phi_2014_: type_18;
+    var phi_2015_: bool;
+    var phi_2019_: type_18;
+    var phi_2020_: type_18;
+    var phi_2021_: type_18;
+    var phi_2022_: bool;
+    var phi_2026_: type_18;
+    var phi_2027_: bool;
+    var phi_2028_: type_18;
+    var phi_2029_: bool;
+    var phi_2030_: bool;
+    var phi_2031_: type_18;
+    var phi_2032_: bool;
+    var phi_2033_: bool;
+    var phi_2041_: type_18;
+    var phi_2042_: bool;
+    var phi_2046_: type_18;
+    var phi_2071_: bool;
+    var phi_2072_: bool;
+    var phi_2078_: type_29;
+    var phi_2079_: type_29;
+    var phi_2080_: type_29;
+    var phi_902_: type_29;
+    var phi_3141_: bool;
+    var phi_3305_: bool;
+    var phi_3029_: type_29;
+    var phi_3030_: type_50;
+    var phi_3031_: bool;
+    var phi_3032_: u32;
+    var phi_3304_: bool;
+    var phi_3033_: type_29;
+    var phi_3034_: type_50;
+    var phi_3035_: u32;
+    var phi_3036_: bool;
+    var phi_3037_: u32;
+    var phi_3303_: bool;
+    var phi_3038_: type_29;
+    var phi_3039_: type_50;
+    var phi_3040_: u32;
+    var phi_3041_: bool;
+    var phi_3042_: u32;
+    var phi_3302_: bool;
+    var phi_775_: type_29;
+    var phi_778_: type_50;
+    var phi_780_: u32;
+    var phi_782_: bool;
+    var phi_784_: u32;
+    var phi_3043_: bool;
+    var phi_3301_: bool;
     var local_10: type_29;
-    var phi_2823_: type_18;
+    var phi_3095_: type_18;
     var local_11: type_29;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e75 = arrayLength((&global_4.member));
-            let _e86 = global_2.member[0u][0u];
-            let _e90 = global_2.member[0u][1u];
-            let _e94 = global_2.member[0u][2u];
-            let _e98 = global_2.member[1u][0u];
-            let _e102 = global_2.member[1u][1u];
-            let _e106 = global_2.member[1u][2u];
-            let _e110 = global_2.member[1u][3u];
-            let _e113 = global_1.member[0u];
-            let _e114 = bitcast<i32>(_e113);
-            let _e124 = (_e72.x + (_e72.y * 2097152u));
-            let _e125 = (_e124 < arrayLength((&global_3.member)));
-            if _e125 {
-                let _e126 = (_e124 < arrayLength((&global_5.member)));
-                if _e126 {
-                    if _e125 {
+            let _e74 = global;
+            let _e77 = arrayLength((&global_4.member));
+            let _e88 = global_2.member[0u][0u];
+            let _e92 = global_2.member[0u][1u];
+            let _e96 = global_2.member[0u][2u];
+            let _e100 = global_2.member[1u][0u];
+            let _e104 = global_2.member[1u][1u];
+            let _e108 = global_2.member[1u][2u];
+            let _e112 = global_2.member[1u][3u];
+            let _e115 = global_1.member[0u];
+            let _e116 = bitcast<i32>(_e115);
+            let _e126 = (_e74.x + (_e74.y * 2097152u));
+            let _e127 = (_e126 < arrayLength((&global_3.member)));
+            if _e127 {
+                let _e128 = (_e126 < arrayLength((&global_5.member)));
+                if _e128 {
+                    if _e127 {
                     } else {
                         break;
                     }
-                    let _e134 = global_3.member[_e124].member_2[0u];
-                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
-                    let _e141 = global_3.member[_e124].member_2[1u];
-                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
-                    let _e148 = global_3.member[_e124].member_2[2u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_3.member[_e124].member[0u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e124].member[1u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e124].member[2u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e173 = select(_e143, _e136, (_e143 < _e136));
-                    let _e175 = select(_e150, _e173, (_e150 < _e173));
-                    let _e177 = select(_e157, _e175, (_e157 < _e175));
-                    let _e179 = select(_e164, _e177, (_e164 < _e177));
-                    let _e181 = select(_e171, _e179, (_e171 < _e179));
-                    let _e185 = global_3.member[_e124].member_1;
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e194 = global_3.member[_e124].member_3;
-                    let _e200 = (((select(_e187, _e181, (_e187 < _e181)) < 2139095040u) && ((bitcast<u32>(_e194) & 2147483647u) <= 2139095040u)) && (_e175 > 0u));
-                    if _e200 {
-                        let _e203 = (bitcast<u32>(bitcast<f32>(_e175)) & 2147483647u);
-                        if (_e203 >= 8388608u) {
-                            phi_327_ = (bitcast<i32>((_e203 >> bitcast<u32>(23i))) - 127i);
+                    let _e136 = global_3.member[_e126].member_2[0u];
+                    let _e138 = (bitcast<u32>(_e136) & 2147483647u);
+                    let _e143 = global_3.member[_e126].member_2[1u];
+                    let _e145 = (bitcast<u32>(_e143) & 2147483647u);
+                    let _e150 = global_3.member[_e126].member_2[2u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_3.member[_e126].member[0u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_3.member[_e126].member[1u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_3.member[_e126].member[2u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e175 = select(_e145, _e138, (_e145 < _e138));
+                    let _e177 = select(_e152, _e175, (_e152 < _e175));
+                    let _e179 = select(_e159, _e177, (_e159 < _e177));
+                    let _e181 = select(_e166, _e179, (_e166 < _e179));
+                    let _e183 = select(_e173, _e181, (_e173 < _e181));
+                    let _e187 = global_3.member[_e126].member_1;
+                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
+                    let _e196 = global_3.member[_e126].member_3;
+                    let _e202 = (((select(_e189, _e183, (_e189 < _e183)) < 2139095040u) && ((bitcast<u32>(_e196) & 2147483647u) <= 2139095040u)) && (_e177 > 0u));
+                    if _e202 {
+                        let _e205 = (bitcast<u32>(bitcast<f32>(_e177)) & 2147483647u);
+                        if (_e205 >= 8388608u) {
+                            phi_332_ = (bitcast<i32>((_e205 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_327_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e203)), 32u, (_e203 == 0u))));
+                            phi_332_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e205)), 32u, (_e205 == 0u))));
                         }
-                        let _e217 = phi_327_;
-                        phi_328_ = _e217;
+                        let _e219 = phi_332_;
+                        phi_333_ = _e219;
                     } else {
-                        phi_328_ = 0i;
+                        phi_333_ = 0i;
                     }
-                    let _e219 = phi_328_;
-                    let _e220 = (_e136 == _e175);
-                    if _e220 {
-                        phi_338_ = true;
+                    let _e221 = phi_333_;
+                    let _e222 = (_e138 == _e177);
+                    if _e222 {
+                        phi_343_ = true;
                     } else {
-                        phi_338_ = (_e143 == _e175);
+                        phi_343_ = (_e145 == _e177);
                     }
-                    let _e223 = phi_338_;
-                    let _e224 = select(1u, 0u, _e220);
-                    if _e223 {
-                        let _e225 = (_e224 + 1u);
-                        phi_348_ = _e225;
-                        phi_349_ = _e225;
-                        phi_351_ = select(true, false, (_e225 == 2u));
+                    let _e225 = phi_343_;
+                    let _e226 = select(1u, 0u, _e222);
+                    if _e225 {
+                        let _e227 = (_e226 + 1u);
+                        phi_353_ = _e227;
+                        phi_354_ = _e227;
+                        phi_356_ = select(true, false, (_e227 == 2u));
                     } else {
-                        phi_348_ = u32();
-                        phi_349_ = 0u;
-                        phi_351_ = true;
+                        phi_353_ = u32();
+                        phi_354_ = 0u;
+                        phi_356_ = true;
                     }
-                    let _e229 = phi_348_;
-                    let _e231 = phi_349_;
-                    let _e233 = phi_351_;
-                    if _e233 {
-                        phi_356_ = (_e231 + 1u);
+                    let _e231 = phi_353_;
+                    let _e233 = phi_354_;
+                    let _e235 = phi_356_;
+                    if _e235 {
+                        phi_361_ = (_e233 + 1u);
                     } else {
-                        phi_356_ = 0u;
+                        phi_361_ = 0u;
                     }
-                    let _e237 = phi_356_;
-                    let _e238 = select(_e229, _e231, _e233);
-                    let _e239 = select(_e224, select(2u, _e224, _e223), _e233);
-                    if (_e114 < -126i) {
-                        phi_368_ = -126i;
+                    let _e239 = phi_361_;
+                    let _e240 = select(_e231, _e233, _e235);
+                    let _e241 = select(_e226, select(2u, _e226, _e225), _e235);
+                    if (_e116 < -126i) {
+                        phi_373_ = -126i;
                     } else {
-                        phi_368_ = select(_e114, 127i, (_e114 > 127i));
+                        phi_373_ = select(_e116, 127i, (_e116 > 127i));
                     }
-                    let _e244 = phi_368_;
-                    let _e249 = bitcast<f32>((bitcast<u32>((_e244 + 127i)) << bitcast<u32>(23i)));
-                    let _e255 = bitcast<f32>((bitcast<u32>(((_e114 - _e244) + 127i)) << bitcast<u32>(23i)));
-                    let _e256 = -(_e219);
-                    if (_e256 < -126i) {
-                        phi_388_ = -126i;
+                    let _e246 = phi_373_;
+                    let _e251 = bitcast<f32>((bitcast<u32>((_e246 + 127i)) << bitcast<u32>(23i)));
+                    let _e257 = bitcast<f32>((bitcast<u32>(((_e116 - _e246) + 127i)) << bitcast<u32>(23i)));
+                    let _e258 = -(_e221);
+                    if (_e258 < -126i) {
+                        phi_393_ = -126i;
                     } else {
-                        phi_388_ = select(_e256, 127i, (_e256 > 127i));
+                        phi_393_ = select(_e258, 127i, (_e258 > 127i));
                     }
-                    let _e261 = phi_388_;
-                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = bitcast<f32>((bitcast<u32>(((_e256 - _e261) + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = global_3.member[_e124].member;
-                    let _e277 = (_e238 == 0u);
-                    if _e277 {
-                        phi_406_ = _e276[0];
+                    let _e263 = phi_393_;
+                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
+                    let _e274 = bitcast<f32>((bitcast<u32>(((_e258 - _e263) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = global_3.member[_e126].member;
+                    let _e279 = (_e240 == 0u);
+                    if _e279 {
+                        phi_411_ = _e278[0];
                     } else {
-                        phi_406_ = _e276[1];
+                        phi_411_ = _e278[1];
                     }
-                    let _e281 = phi_406_;
-                    let _e282 = (_e238 == 2u);
-                    if _e282 {
-                        phi_412_ = _e276[2];
+                    let _e283 = phi_411_;
+                    let _e284 = (_e240 == 2u);
+                    if _e284 {
+                        phi_417_ = _e278[2];
                     } else {
-                        phi_412_ = _e281;
+                        phi_417_ = _e283;
                     }
-                    let _e285 = phi_412_;
-                    let _e287 = ((_e285 * _e249) * _e255);
-                    let _e288 = global_3.member[_e124].member_2;
-                    if _e277 {
-                        phi_423_ = _e288[0];
+                    let _e287 = phi_417_;
+                    let _e289 = ((_e287 * _e251) * _e257);
+                    let _e290 = global_3.member[_e126].member_2;
+                    if _e279 {
+                        phi_428_ = _e290[0];
                     } else {
-                        phi_423_ = _e288[1];
+                        phi_428_ = _e290[1];
                     }
-                    let _e292 = phi_423_;
-                    if _e282 {
-                        phi_429_ = _e288[2];
+                    let _e294 = phi_428_;
+                    if _e284 {
+                        phi_434_ = _e290[2];
                     } else {
-                        phi_429_ = _e292;
+                        phi_434_ = _e294;
                     }
-                    let _e295 = phi_429_;
-                    let _e297 = ((_e295 * _e266) * _e272);
-                    let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e301 {
-                        let _e305 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
-                        phi_452_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
+                    let _e297 = phi_434_;
+                    let _e299 = ((_e297 * _e268) * _e274);
+                    let _e303 = (bitcast<f32>((bitcast<u32>(_e299) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e303 {
+                        let _e307 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) * 0.00000011920929f);
+                        phi_457_ = select(0.00000000000011368684f, _e307, (_e307 > 0.00000000000011368684f));
                     } else {
-                        phi_452_ = 0f;
+                        phi_457_ = 0f;
                     }
-                    let _e309 = phi_452_;
-                    let _e310 = (_e287 + _e309);
-                    let _e311 = (_e287 - _e309);
-                    let _e312 = select(_e297, 0f, _e301);
-                    if _e301 {
-                        phi_463_ = 38685626000000000000000000f;
+                    let _e311 = phi_457_;
+                    let _e312 = (_e289 + _e311);
+                    let _e313 = (_e289 - _e311);
+                    let _e314 = select(_e299, 0f, _e303);
+                    if _e303 {
+                        phi_468_ = 38685626000000000000000000f;
                     } else {
-                        phi_463_ = (1f / _e297);
+                        phi_468_ = (1f / _e299);
                     }
-                    let _e315 = phi_463_;
-                    let _e316 = (_e237 == 0u);
-                    if _e316 {
-                        phi_472_ = _e276[0];
+                    let _e317 = phi_468_;
+                    let _e318 = (_e239 == 0u);
+                    if _e318 {
+                        phi_477_ = _e278[0];
                     } else {
-                        phi_472_ = _e276[1];
+                        phi_477_ = _e278[1];
                     }
-                    let _e320 = phi_472_;
-                    let _e321 = (_e237 == 2u);
-                    if _e321 {
-                        phi_478_ = _e276[2];
+                    let _e322 = phi_477_;
+                    let _e323 = (_e239 == 2u);
+                    if _e323 {
+                        phi_483_ = _e278[2];
                     } else {
-                        phi_478_ = _e320;
+                        phi_483_ = _e322;
                     }
-                    let _e324 = phi_478_;
-                    let _e326 = ((_e324 * _e249) * _e255);
-                    if _e316 {
-                        phi_489_ = _e288[0];
+                    let _e326 = phi_483_;
+                    let _e328 = ((_e326 * _e251) * _e257);
+                    if _e318 {
+                        phi_494_ = _e290[0];
                     } else {
-                        phi_489_ = _e288[1];
+                        phi_494_ = _e290[1];
                     }
-                    let _e330 = phi_489_;
-                    if _e321 {
-                        phi_495_ = _e288[2];
+                    let _e332 = phi_494_;
+                    if _e323 {
+                        phi_500_ = _e290[2];
                     } else {
-                        phi_495_ = _e330;
+                        phi_500_ = _e332;
                     }
-                    let _e333 = phi_495_;
-                    let _e335 = ((_e333 * _e266) * _e272);
-                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e339 {
-                        let _e343 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
-                        phi_518_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
+                    let _e335 = phi_500_;
+                    let _e337 = ((_e335 * _e268) * _e274);
+                    let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e341 {
+                        let _e345 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                        phi_523_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
                     } else {
-                        phi_518_ = 0f;
+                        phi_523_ = 0f;
                     }
-                    let _e347 = phi_518_;
-                    let _e348 = (_e326 + _e347);
-                    let _e349 = (_e326 - _e347);
-                    let _e350 = select(_e335, 0f, _e339);
-                    if _e339 {
-                        phi_529_ = 38685626000000000000000000f;
+                    let _e349 = phi_523_;
+                    let _e350 = (_e328 + _e349);
+                    let _e351 = (_e328 - _e349);
+                    let _e352 = select(_e337, 0f, _e341);
+                    if _e341 {
+                        phi_534_ = 38685626000000000000000000f;
                     } else {
-                        phi_529_ = (1f / _e335);
+                        phi_534_ = (1f / _e337);
                     }
-                    let _e353 = phi_529_;
-                    let _e354 = (_e239 == 0u);
-                    if _e354 {
-                        phi_538_ = _e276[0];
+                    let _e355 = phi_534_;
+                    let _e356 = (_e241 == 0u);
+                    if _e356 {
+                        phi_543_ = _e278[0];
                     } else {
-                        phi_538_ = _e276[1];
+                        phi_543_ = _e278[1];
                     }
-                    let _e358 = phi_538_;
-                    let _e359 = (_e239 == 2u);
-                    if _e359 {
-                        phi_544_ = _e276[2];
+                    let _e360 = phi_543_;
+                    let _e361 = (_e241 == 2u);
+                    if _e361 {
+                        phi_549_ = _e278[2];
                     } else {
-                        phi_544_ = _e358;
+                        phi_549_ = _e360;
                     }
-                    let _e362 = phi_544_;
-                    let _e364 = ((_e362 * _e249) * _e255);
-                    if _e354 {
-                        phi_555_ = _e288[0];
+                    let _e364 = phi_549_;
+                    let _e366 = ((_e364 * _e251) * _e257);
+                    if _e356 {
+                        phi_560_ = _e290[0];
                     } else {
-                        phi_555_ = _e288[1];
+                        phi_560_ = _e290[1];
                     }
-                    let _e368 = phi_555_;
-                    if _e359 {
-                        phi_561_ = _e288[2];
+                    let _e370 = phi_560_;
+                    if _e361 {
+                        phi_566_ = _e290[2];
                     } else {
-                        phi_561_ = _e368;
+                        phi_566_ = _e370;
                     }
-                    let _e371 = phi_561_;
-                    let _e373 = ((_e371 * _e266) * _e272);
-                    let _e377 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e377 {
-                        let _e381 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) * 0.00000011920929f);
-                        phi_584_ = select(0.00000000000011368684f, _e381, (_e381 > 0.00000000000011368684f));
+                    let _e373 = phi_566_;
+                    let _e375 = ((_e373 * _e268) * _e274);
+                    let _e379 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e379 {
+                        let _e383 = (bitcast<f32>((bitcast<u32>(_e366) & 2147483647u)) * 0.00000011920929f);
+                        phi_589_ = select(0.00000000000011368684f, _e383, (_e383 > 0.00000000000011368684f));
                     } else {
-                        phi_584_ = 0f;
+                        phi_589_ = 0f;
                     }
-                    let _e385 = phi_584_;
-                    let _e386 = (_e364 + _e385);
-                    let _e387 = (_e364 - _e385);
-                    let _e388 = select(_e373, 0f, _e377);
-                    if _e377 {
-                        phi_595_ = 38685626000000000000000000f;
+                    let _e387 = phi_589_;
+                    let _e388 = (_e366 + _e387);
+                    let _e389 = (_e366 - _e387);
+                    let _e390 = select(_e375, 0f, _e379);
+                    if _e379 {
+                        phi_600_ = 38685626000000000000000000f;
                     } else {
-                        phi_595_ = (1f / _e373);
+                        phi_600_ = (1f / _e375);
                     }
-                    let _e391 = phi_595_;
-                    let _e394 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
-                    let _e399 = select(_e397, _e394, (_e394 > _e397));
-                    let _e402 = bitcast<f32>((bitcast<u32>(_e364) & 2147483647u));
-                    let _e405 = (_e114 + _e219);
-                    if (_e200 && (select(_e402, _e399, (_e399 > _e402)) <= 1099511600000f)) {
-                        let _e408 = (_e405 / 3i);
-                        let _e415 = bitcast<f32>((bitcast<u32>((_e408 + 127i)) << bitcast<u32>(23i)));
-                        let _e422 = bitcast<f32>((bitcast<u32>(((_e405 - (2i * _e408)) + 127i)) << bitcast<u32>(23i)));
-                        let _e423 = (((_e185 * _e415) * _e415) * _e422);
-                        let _e425 = select(340282350000000000000000000000000000000f, _e423, (_e423 < 340282350000000000000000000000000000000f));
-                        let _e430 = (((_e194 * _e415) * _e415) * _e422);
-                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
-                        phi_695_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
-                        phi_696_ = select(-340282350000000000000000000000000000000f, _e425, (_e425 > -340282350000000000000000000000000000000f));
+                    let _e393 = phi_600_;
+                    let _e396 = bitcast<f32>((bitcast<u32>(_e289) & 2147483647u));
+                    let _e399 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e401 = select(_e399, _e396, (_e396 > _e399));
+                    let _e404 = bitcast<f32>((bitcast<u32>(_e366) & 2147483647u));
+                    let _e407 = (_e116 + _e221);
+                    if (_e202 && (select(_e404, _e401, (_e401 > _e404)) <= 1099511600000f)) {
+                        let _e410 = (_e407 / 3i);
+                        let _e417 = bitcast<f32>((bitcast<u32>((_e410 + 127i)) << bitcast<u32>(23i)));
+                        let _e424 = bitcast<f32>((bitcast<u32>(((_e407 - (2i * _e410)) + 127i)) << bitcast<u32>(23i)));
+                        let _e425 = (((_e187 * _e417) * _e417) * _e424);
+                        let _e427 = select(340282350000000000000000000000000000000f, _e425, (_e425 < 340282350000000000000000000000000000000f));
+                        let _e432 = (((_e196 * _e417) * _e417) * _e424);
+                        let _e434 = select(340282350000000000000000000000000000000f, _e432, (_e432 < 340282350000000000000000000000000000000f));
+                        phi_700_ = select(-340282350000000000000000000000000000000f, _e434, (_e434 > -340282350000000000000000000000000000000f));
+                        phi_701_ = select(-340282350000000000000000000000000000000f, _e427, (_e427 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_695_ = 0f;
-                        phi_696_ = 1f;
+                        phi_700_ = 0f;
+                        phi_701_ = 1f;
                     }
-                    let _e436 = phi_695_;
-                    let _e438 = phi_696_;
+                    let _e438 = phi_700_;
+                    let _e440 = phi_701_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -469,732 +486,840 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e86), bitcast<f32>(_e90), bitcast<f32>(_e94));
-                    let _e443 = (_e238 % 3u);
-                    let _e444 = (_e443 < 3u);
-                    if _e444 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e88), bitcast<f32>(_e92), bitcast<f32>(_e96));
+                    let _e445 = (_e240 % 3u);
+                    let _e446 = (_e445 < 3u);
+                    if _e446 {
                     } else {
                         break;
                     }
-                    let _e446 = local_9[_e443];
-                    let _e447 = (_e237 % 3u);
-                    let _e448 = (_e447 < 3u);
-                    if _e448 {
+                    let _e448 = local_9[_e445];
+                    let _e449 = (_e239 % 3u);
+                    let _e450 = (_e449 < 3u);
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e450 = local_9[_e447];
-                    let _e451 = (_e239 % 3u);
-                    let _e452 = (_e451 < 3u);
-                    if _e452 {
+                    let _e452 = local_9[_e449];
+                    let _e453 = (_e241 % 3u);
+                    let _e454 = (_e453 < 3u);
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e454 = local_9[_e451];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e98), bitcast<f32>(_e102), bitcast<f32>(_e106));
-                    if _e444 {
+                    let _e456 = local_9[_e453];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
+                    if _e446 {
                     } else {
                         break;
                     }
-                    let _e458 = local_8[_e443];
-                    if _e448 {
+                    let _e460 = local_8[_e445];
+                    if _e450 {
                     } else {
                         break;
                     }
-                    let _e460 = local_8[_e447];
-                    if _e452 {
+                    let _e462 = local_8[_e449];
+                    if _e454 {
                     } else {
                         break;
                     }
-                    let _e462 = local_8[_e451];
-                    phi_2875_ = false;
-                    phi_769_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e436);
-                    phi_772_ = type_50(type_42(array<f32, 3>(_e446, _e450, _e454), array<f32, 3>(_e458, _e460, _e462)), select(0u, 2147483648u, (_e75 == 0u)));
-                    phi_774_ = ((3u * _e75) + 1u);
-                    phi_776_ = (_e438 <= _e436);
-                    phi_778_ = 0u;
+                    let _e464 = local_8[_e453];
+                    phi_3147_ = false;
+                    phi_774_ = type_29(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e438);
+                    phi_777_ = type_50(type_42(array<f32, 3>(_e448, _e452, _e456), array<f32, 3>(_e460, _e462, _e464)), select(0u, 2147483648u, (_e77 == 0u)));
+                    phi_779_ = ((3u * _e77) + 1u);
+                    phi_781_ = (_e440 <= _e438);
+                    phi_783_ = 0u;
                     loop {
-                        let _e470 = phi_2875_;
-                        let _e472 = phi_769_;
-                        let _e474 = phi_772_;
-                        let _e476 = phi_774_;
-                        let _e478 = phi_776_;
-                        let _e480 = phi_778_;
-                        local_10 = _e472;
-                        if _e478 {
-                            phi_789_ = true;
+                        let _e472 = phi_3147_;
+                        let _e474 = phi_774_;
+                        let _e476 = phi_777_;
+                        let _e478 = phi_779_;
+                        let _e480 = phi_781_;
+                        let _e482 = phi_783_;
+                        local_10 = _e474;
+                        if _e480 {
+                            phi_794_ = true;
                         } else {
-                            phi_789_ = (_e480 > 0u);
+                            phi_794_ = (_e482 > 0u);
                         }
-                        let _e483 = phi_789_;
-                        if _e483 {
-                            let _e484 = (_e476 > 0u);
-                            if _e484 {
-                                if _e478 {
-                                    phi_875_ = _e474;
-                                    phi_876_ = _e478;
-                                    phi_877_ = _e480;
+                        let _e485 = phi_794_;
+                        if _e485 {
+                            let _e486 = (_e478 > 0u);
+                            if _e486 {
+                                if _e480 {
+                                    phi_880_ = _e476;
+                                    phi_881_ = _e480;
+                                    phi_882_ = _e482;
                                 } else {
-                                    let _e485 = (_e480 - 1u);
-                                    let _e486 = (_e485 % 128u);
-                                    let _e487 = (_e486 < 128u);
-                                    if _e487 {
+                                    let _e487 = (_e482 - 1u);
+                                    let _e488 = (_e487 % 128u);
+                                    let _e489 = (_e488 < 128u);
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e489 = local_6[_e486];
-                                    if _e487 {
+                                    let _e491 = local_6[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e491 = local_5[_e486];
-                                    if _e487 {
+                                    let _e493 = local_5[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e493 = local_4[_e486];
-                                    if _e487 {
+                                    let _e495 = local_4[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e495 = local_3[_e486];
-                                    if _e487 {
+                                    let _e497 = local_3[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e498 = local_2[_e486];
-                                    if _e487 {
+                                    let _e500 = local_2[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e500 = local_1[_e486];
-                                    if _e487 {
+                                    let _e502 = local_1[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e502 = local[_e486];
-                                    if _e487 {
+                                    let _e504 = local[_e488];
+                                    if _e489 {
                                     } else {
-                                        phi_3001_ = true;
+                                        phi_3301_ = true;
                                         break;
                                     }
-                                    let _e507 = local_7[_e486];
-                                    phi_875_ = type_50(type_42(array<f32, 3>(_e491, _e493, _e495), array<f32, 3>(_e498, _e500, _e502)), _e489);
-                                    phi_876_ = (_e507 <= _e472.member_1);
-                                    phi_877_ = _e485;
+                                    let _e509 = local_7[_e488];
+                                    phi_880_ = type_50(type_42(array<f32, 3>(_e493, _e495, _e497), array<f32, 3>(_e500, _e502, _e504)), _e491);
+                                    phi_881_ = (_e509 <= _e474.member_1);
+                                    phi_882_ = _e487;
                                 }
-                                let _e511 = phi_875_;
-                                let _e513 = phi_876_;
-                                let _e515 = phi_877_;
-                                if _e513 {
-                                    if ((_e511.member_1 & 2147483648u) != 0u) {
-                                        phi_896_ = _e472;
-                                        phi_899_ = type_4(0u, ((_e511.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e513 = phi_880_;
+                                let _e515 = phi_881_;
+                                let _e517 = phi_882_;
+                                if _e515 {
+                                    if ((_e513.member_1 & 2147483648u) != 0u) {
+                                        phi_901_ = _e474;
+                                        phi_904_ = type_4(0u, ((_e513.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e868 = phi_896_;
-                                            let _e870 = phi_899_;
-                                            local_11 = _e868;
-                                            if (_e870.member < _e870.member_1) {
-                                                phi_900_ = type_4((_e870.member + 1u), _e870.member_1);
-                                                phi_922_ = type_4(1u, _e870.member);
+                                            let _e870 = phi_901_;
+                                            let _e872 = phi_904_;
+                                            local_11 = _e870;
+                                            if (_e872.member < _e872.member_1) {
+                                                phi_905_ = type_4((_e872.member + 1u), _e872.member_1);
+                                                phi_927_ = type_4(1u, _e872.member);
                                             } else {
-                                                phi_900_ = _e870;
-                                                phi_922_ = type_4(0u, type_4().member_1);
+                                                phi_905_ = _e872;
+                                                phi_927_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e883 = phi_900_;
-                                            let _e885 = phi_922_;
-                                            let _e889 = (bitcast<i32>(_e885.member) != 0i);
-                                            if _e889 {
-                                                let _e890 = ((_e511.member_1 & 268435455u) + _e885.member_1);
-                                                let _e891 = (_e890 < arrayLength((&global_6.member)));
-                                                if _e891 {
-                                                    if _e891 {
+                                            let _e885 = phi_905_;
+                                            let _e887 = phi_927_;
+                                            let _e891 = (bitcast<i32>(_e887.member) != 0i);
+                                            if _e891 {
+                                                let _e892 = ((_e513.member_1 & 268435455u) + _e887.member_1);
+                                                let _e893 = (_e892 < arrayLength((&global_6.member)));
+                                                if _e893 {
+                                                    if _e893 {
                                                     } else {
-                                                        phi_2869_ = true;
+                                                        phi_3141_ = true;
                                                         break;
                                                     }
-                                                    let _e894 = global_6.member[_e890].member_1;
-                                                    phi_947_ = _e894;
+                                                    let _e896 = global_6.member[_e892].member_1;
+                                                    phi_952_ = _e896;
                                                 } else {
-                                                    phi_947_ = 4294967295u;
+                                                    phi_952_ = 4294967295u;
                                                 }
-                                                let _e896 = phi_947_;
-                                                if _e891 {
-                                                    if _e891 {
+                                                let _e898 = phi_952_;
+                                                if _e893 {
+                                                    if _e893 {
                                                     } else {
-                                                        phi_2869_ = true;
+                                                        phi_3141_ = true;
                                                         break;
                                                     }
-                                                    let _e898 = global_6.member[_e890];
-                                                    phi_963_ = _e898;
+                                                    let _e900 = global_6.member[_e892];
+                                                    phi_968_ = _e900;
                                                 } else {
-                                                    phi_963_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_968_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e900 = phi_963_;
-                                                let _e912 = ((10u * _e238) & 31u);
-                                                let _e915 = ((_e900.member[0] >> bitcast<u32>(_e912)) & 1023u);
-                                                let _e920 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e110));
-                                                let _e926 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e915) * _e920)) ^ _e110)));
-                                                let _e930 = select(select(_e511.member.member_1[0], _e926, (_e926 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e915 == 1023u));
-                                                let _e932 = ((10u * _e237) & 31u);
-                                                let _e935 = ((_e900.member[0] >> bitcast<u32>(_e932)) & 1023u);
-                                                let _e940 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e110));
-                                                let _e946 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e935) * _e940)) ^ _e110)));
-                                                let _e950 = select(select(_e511.member.member_1[1], _e946, (_e946 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e935 == 1023u));
-                                                let _e952 = ((10u * _e239) & 31u);
-                                                let _e955 = ((_e900.member[0] >> bitcast<u32>(_e952)) & 1023u);
-                                                let _e960 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e110));
-                                                let _e966 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e955) * _e960)) ^ _e110)));
-                                                let _e970 = select(select(_e511.member.member_1[2], _e966, (_e966 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e955 == 1023u));
-                                                let _e974 = ((_e900.member[1] >> bitcast<u32>(_e912)) & 1023u);
-                                                let _e980 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e974) * _e920)) ^ _e110)));
-                                                let _e984 = select(select(_e511.member.member_1[0], _e980, (_e980 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e974 == 1023u));
-                                                let _e987 = ((_e900.member[1] >> bitcast<u32>(_e932)) & 1023u);
-                                                let _e993 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e987) * _e940)) ^ _e110)));
-                                                let _e997 = select(select(_e511.member.member_1[1], _e993, (_e993 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e987 == 1023u));
-                                                let _e1000 = ((_e900.member[1] >> bitcast<u32>(_e952)) & 1023u);
-                                                let _e1006 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1000) * _e960)) ^ _e110)));
-                                                let _e1010 = select(select(_e511.member.member_1[2], _e1006, (_e1006 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1000 == 1023u));
-                                                let _e1014 = ((_e900.member[2] >> bitcast<u32>(_e912)) & 1023u);
-                                                let _e1020 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1014) * _e920)) ^ _e110)));
-                                                let _e1024 = select(select(_e511.member.member_1[0], _e1020, (_e1020 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e1014 == 1023u));
-                                                let _e1027 = ((_e900.member[2] >> bitcast<u32>(_e932)) & 1023u);
-                                                let _e1033 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1027) * _e940)) ^ _e110)));
-                                                let _e1037 = select(select(_e511.member.member_1[1], _e1033, (_e1033 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e1027 == 1023u));
-                                                let _e1040 = ((_e900.member[2] >> bitcast<u32>(_e952)) & 1023u);
-                                                let _e1046 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1040) * _e960)) ^ _e110)));
-                                                let _e1050 = select(select(_e511.member.member_1[2], _e1046, (_e1046 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e1040 == 1023u));
-                                                let _e1054 = (_e970 - _e364);
-                                                let _e1057 = (((_e930 - _e287) * _e388) - (_e1054 * _e312));
-                                                let _e1060 = (((_e950 - _e326) * _e388) - (_e1054 * _e350));
-                                                let _e1063 = (_e1010 - _e364);
-                                                let _e1066 = (((_e984 - _e287) * _e388) - (_e1063 * _e312));
-                                                let _e1069 = (((_e997 - _e326) * _e388) - (_e1063 * _e350));
-                                                let _e1072 = (_e1050 - _e364);
-                                                let _e1075 = (((_e1024 - _e287) * _e388) - (_e1072 * _e312));
-                                                let _e1078 = (((_e1037 - _e326) * _e388) - (_e1072 * _e350));
-                                                let _e1079 = (_e1075 * _e1069);
-                                                let _e1080 = (_e1078 * _e1066);
-                                                let _e1081 = (_e1057 * _e1078);
-                                                let _e1082 = (_e1060 * _e1075);
-                                                let _e1083 = (_e1066 * _e1060);
-                                                let _e1084 = (_e1069 * _e1057);
-                                                let _e1089 = (((_e1079 >= _e1080) && (_e1081 >= _e1082)) && (_e1083 >= _e1084));
-                                                if (_e1089 || (((_e1079 <= _e1080) && (_e1081 <= _e1082)) && (_e1083 <= _e1084))) {
-                                                    let _e1096 = select(-1f, 1f, _e1089);
-                                                    let _e1098 = ((_e1079 - _e1080) * _e1096);
-                                                    let _e1100 = select(0f, _e1098, (_e1098 > 0f));
-                                                    let _e1102 = ((_e1081 - _e1082) * _e1096);
-                                                    let _e1104 = select(0f, _e1102, (_e1102 > 0f));
-                                                    let _e1106 = ((_e1083 - _e1084) * _e1096);
-                                                    let _e1108 = select(0f, _e1106, (_e1106 > 0f));
-                                                    let _e1110 = ((_e1100 + _e1104) + _e1108);
-                                                    if (_e1110 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1764_ = type_18();
-                                                        phi_1765_ = true;
+                                                let _e902 = phi_968_;
+                                                let _e914 = ((10u * _e240) & 31u);
+                                                let _e917 = ((_e902.member[0] >> bitcast<u32>(_e914)) & 1023u);
+                                                let _e922 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e112));
+                                                let _e928 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e917) * _e922)) ^ _e112)));
+                                                let _e932 = select(select(_e513.member.member_1[0], _e928, (_e928 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e917 == 1023u));
+                                                let _e934 = ((10u * _e239) & 31u);
+                                                let _e937 = ((_e902.member[0] >> bitcast<u32>(_e934)) & 1023u);
+                                                let _e942 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e112));
+                                                let _e948 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e937) * _e942)) ^ _e112)));
+                                                let _e952 = select(select(_e513.member.member_1[1], _e948, (_e948 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e937 == 1023u));
+                                                let _e954 = ((10u * _e241) & 31u);
+                                                let _e957 = ((_e902.member[0] >> bitcast<u32>(_e954)) & 1023u);
+                                                let _e962 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e112));
+                                                let _e968 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e957) * _e962)) ^ _e112)));
+                                                let _e972 = select(select(_e513.member.member_1[2], _e968, (_e968 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e957 == 1023u));
+                                                let _e976 = ((_e902.member[1] >> bitcast<u32>(_e914)) & 1023u);
+                                                let _e982 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e976) * _e922)) ^ _e112)));
+                                                let _e986 = select(select(_e513.member.member_1[0], _e982, (_e982 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e976 == 1023u));
+                                                let _e989 = ((_e902.member[1] >> bitcast<u32>(_e934)) & 1023u);
+                                                let _e995 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e989) * _e942)) ^ _e112)));
+                                                let _e999 = select(select(_e513.member.member_1[1], _e995, (_e995 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e989 == 1023u));
+                                                let _e1002 = ((_e902.member[1] >> bitcast<u32>(_e954)) & 1023u);
+                                                let _e1008 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1002) * _e962)) ^ _e112)));
+                                                let _e1012 = select(select(_e513.member.member_1[2], _e1008, (_e1008 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1002 == 1023u));
+                                                let _e1016 = ((_e902.member[2] >> bitcast<u32>(_e914)) & 1023u);
+                                                let _e1022 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1016) * _e922)) ^ _e112)));
+                                                let _e1026 = select(select(_e513.member.member_1[0], _e1022, (_e1022 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e1016 == 1023u));
+                                                let _e1029 = ((_e902.member[2] >> bitcast<u32>(_e934)) & 1023u);
+                                                let _e1035 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1029) * _e942)) ^ _e112)));
+                                                let _e1039 = select(select(_e513.member.member_1[1], _e1035, (_e1035 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1029 == 1023u));
+                                                let _e1042 = ((_e902.member[2] >> bitcast<u32>(_e954)) & 1023u);
+                                                let _e1048 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1042) * _e962)) ^ _e112)));
+                                                let _e1052 = select(select(_e513.member.member_1[2], _e1048, (_e1048 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1042 == 1023u));
+                                                let _e1056 = (_e972 - _e366);
+                                                let _e1059 = (((_e932 - _e289) * _e390) - (_e1056 * _e314));
+                                                let _e1062 = (((_e952 - _e328) * _e390) - (_e1056 * _e352));
+                                                let _e1065 = (_e1012 - _e366);
+                                                let _e1068 = (((_e986 - _e289) * _e390) - (_e1065 * _e314));
+                                                let _e1071 = (((_e999 - _e328) * _e390) - (_e1065 * _e352));
+                                                let _e1074 = (_e1052 - _e366);
+                                                let _e1077 = (((_e1026 - _e289) * _e390) - (_e1074 * _e314));
+                                                let _e1080 = (((_e1039 - _e328) * _e390) - (_e1074 * _e352));
+                                                let _e1081 = (_e1077 * _e1071);
+                                                let _e1082 = (_e1080 * _e1068);
+                                                let _e1083 = (_e1059 * _e1080);
+                                                let _e1084 = (_e1062 * _e1077);
+                                                let _e1085 = (_e1068 * _e1062);
+                                                let _e1086 = (_e1071 * _e1059);
+                                                let _e1091 = (((_e1081 >= _e1082) && (_e1083 >= _e1084)) && (_e1085 >= _e1086));
+                                                if (_e1091 || (((_e1081 <= _e1082) && (_e1083 <= _e1084)) && (_e1085 <= _e1086))) {
+                                                    let _e1098 = select(-1f, 1f, _e1091);
+                                                    let _e1100 = ((_e1081 - _e1082) * _e1098);
+                                                    let _e1102 = select(0f, _e1100, (_e1100 > 0f));
+                                                    let _e1104 = ((_e1083 - _e1084) * _e1098);
+                                                    let _e1106 = select(0f, _e1104, (_e1104 > 0f));
+                                                    let _e1108 = ((_e1085 - _e1086) * _e1098);
+                                                    let _e1110 = select(0f, _e1108, (_e1108 > 0f));
+                                                    let _e1112 = ((_e1102 + _e1106) + _e1110);
+                                                    if (_e1112 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2031_ = type_18();
+                                                        phi_2032_ = true;
+                                                        phi_2033_ = false;
                                                     } else {
-                                                        let _e1113 = select(_e984, _e930, (_e930 < _e984));
-                                                        let _e1117 = select(_e984, _e930, (_e930 > _e984));
-                                                        let _e1121 = select(_e997, _e950, (_e950 < _e997));
-                                                        let _e1125 = select(_e997, _e950, (_e950 > _e997));
-                                                        let _e1129 = select(_e1010, _e970, (_e970 < _e1010));
-                                                        let _e1133 = select(_e1010, _e970, (_e970 > _e1010));
-                                                        let _e1138 = ((select(_e1024, _e1113, (_e1113 < _e1024)) - _e310) * _e315);
-                                                        let _e1139 = ((select(_e1024, _e1117, (_e1117 > _e1024)) - _e311) * _e315);
-                                                        let _e1142 = ((select(_e1037, _e1121, (_e1121 < _e1037)) - _e348) * _e353);
-                                                        let _e1143 = ((select(_e1037, _e1125, (_e1125 > _e1037)) - _e349) * _e353);
-                                                        let _e1146 = ((select(_e1050, _e1129, (_e1129 < _e1050)) - _e386) * _e391);
-                                                        let _e1147 = ((select(_e1050, _e1133, (_e1133 > _e1050)) - _e387) * _e391);
-                                                        let _e1149 = select(_e1147, _e1146, (_e1146 < _e1147));
-                                                        let _e1151 = select(_e1147, _e1146, (_e1146 > _e1147));
-                                                        let _e1153 = select(_e1139, _e1138, (_e1138 < _e1139));
-                                                        let _e1155 = select(_e1143, _e1142, (_e1142 < _e1143));
-                                                        let _e1157 = select(_e1155, _e1153, (_e1153 > _e1155));
-                                                        let _e1159 = select(_e1149, _e1157, (_e1157 > _e1149));
-                                                        let _e1161 = select(_e1139, _e1138, (_e1138 > _e1139));
-                                                        let _e1163 = select(_e1143, _e1142, (_e1142 > _e1143));
-                                                        let _e1165 = select(_e1163, _e1161, (_e1161 < _e1163));
-                                                        let _e1167 = select(_e1151, _e1165, (_e1165 < _e1151));
-                                                        let _e1168 = -(_e1149);
-                                                        let _e1174 = select(_e438, _e1159, (_e1159 > _e438));
-                                                        if (_e1174 > (_e1167 + (select(_e1168, _e1151, (_e1151 > _e1168)) * 0.0000019073523f))) {
-                                                            phi_1759_ = type_18();
-                                                            phi_1760_ = true;
+                                                        let _e1115 = select(_e1068, _e1059, (_e1059 < _e1068));
+                                                        if (select(_e1077, _e1115, (_e1115 < _e1077)) > 0f) {
+                                                            phi_1344_ = true;
                                                         } else {
-                                                            let _e1176 = (_e1174 > _e868.member_1);
-                                                            if _e1176 {
-                                                                phi_1758_ = type_18();
+                                                            let _e1120 = select(_e1068, _e1059, (_e1059 > _e1068));
+                                                            phi_1344_ = (select(_e1077, _e1120, (_e1120 > _e1077)) < 0f);
+                                                        }
+                                                        let _e1125 = phi_1344_;
+                                                        if _e1125 {
+                                                            phi_2028_ = type_18();
+                                                            phi_2029_ = true;
+                                                            phi_2030_ = false;
+                                                        } else {
+                                                            let _e1127 = select(_e1071, _e1062, (_e1062 < _e1071));
+                                                            if (select(_e1080, _e1127, (_e1127 < _e1080)) > 0f) {
+                                                                phi_1373_ = true;
                                                             } else {
-                                                                let _e1180 = (_e984 - _e930);
-                                                                let _e1181 = (_e997 - _e950);
-                                                                let _e1182 = (_e1010 - _e970);
-                                                                let _e1183 = vec3<f32>(_e1180, _e1181, _e1182);
-                                                                let _e1184 = (_e1024 - _e984);
-                                                                let _e1185 = (_e1037 - _e997);
-                                                                let _e1186 = (_e1050 - _e1010);
-                                                                let _e1187 = vec3<f32>(_e1184, _e1185, _e1186);
-                                                                let _e1188 = (_e930 - _e1024);
-                                                                let _e1189 = (_e950 - _e1037);
-                                                                let _e1190 = (_e970 - _e1050);
-                                                                let _e1191 = vec3<f32>(_e1188, _e1189, _e1190);
-                                                                let _e1194 = bitcast<f32>((bitcast<u32>(_e1180) & 2147483647u));
-                                                                let _e1197 = bitcast<f32>((bitcast<u32>(_e1181) & 2147483647u));
-                                                                let _e1199 = select(_e1197, _e1194, (_e1194 > _e1197));
-                                                                let _e1202 = bitcast<f32>((bitcast<u32>(_e1182) & 2147483647u));
-                                                                let _e1204 = select(_e1202, _e1199, (_e1199 > _e1202));
-                                                                let _e1207 = bitcast<f32>((bitcast<u32>(_e1184) & 2147483647u));
-                                                                let _e1210 = bitcast<f32>((bitcast<u32>(_e1185) & 2147483647u));
-                                                                let _e1212 = select(_e1210, _e1207, (_e1207 > _e1210));
-                                                                let _e1215 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
-                                                                let _e1217 = select(_e1215, _e1212, (_e1212 > _e1215));
-                                                                let _e1220 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
-                                                                let _e1223 = bitcast<f32>((bitcast<u32>(_e1189) & 2147483647u));
-                                                                let _e1225 = select(_e1223, _e1220, (_e1220 > _e1223));
-                                                                let _e1228 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
-                                                                let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
-                                                                let _e1232 = select(_e1217, _e1204, (_e1204 > _e1217));
-                                                                let _e1234 = select(_e1230, _e1232, (_e1232 > _e1230));
-                                                                if (_e1204 == _e1234) {
-                                                                    phi_1669_ = _e1187;
-                                                                    phi_1670_ = _e1191;
+                                                                let _e1132 = select(_e1071, _e1062, (_e1062 > _e1071));
+                                                                phi_1373_ = (select(_e1080, _e1132, (_e1132 > _e1080)) < 0f);
+                                                            }
+                                                            let _e1137 = phi_1373_;
+                                                            if _e1137 {
+                                                                phi_2026_ = type_18();
+                                                                phi_2027_ = false;
+                                                            } else {
+                                                                let _e1139 = select(_e986, _e932, (_e932 < _e986));
+                                                                let _e1143 = select(_e986, _e932, (_e932 > _e986));
+                                                                let _e1147 = select(_e999, _e952, (_e952 < _e999));
+                                                                let _e1151 = select(_e999, _e952, (_e952 > _e999));
+                                                                let _e1155 = select(_e1012, _e972, (_e972 < _e1012));
+                                                                let _e1159 = select(_e1012, _e972, (_e972 > _e1012));
+                                                                let _e1164 = ((select(_e1026, _e1139, (_e1139 < _e1026)) - _e312) * _e317);
+                                                                let _e1165 = ((select(_e1026, _e1143, (_e1143 > _e1026)) - _e313) * _e317);
+                                                                let _e1168 = ((select(_e1039, _e1147, (_e1147 < _e1039)) - _e350) * _e355);
+                                                                let _e1169 = ((select(_e1039, _e1151, (_e1151 > _e1039)) - _e351) * _e355);
+                                                                let _e1172 = ((select(_e1052, _e1155, (_e1155 < _e1052)) - _e388) * _e393);
+                                                                let _e1173 = ((select(_e1052, _e1159, (_e1159 > _e1052)) - _e389) * _e393);
+                                                                let _e1175 = select(_e1173, _e1172, (_e1172 < _e1173));
+                                                                let _e1177 = select(_e1173, _e1172, (_e1172 > _e1173));
+                                                                let _e1179 = select(_e1165, _e1164, (_e1164 < _e1165));
+                                                                let _e1181 = select(_e1169, _e1168, (_e1168 < _e1169));
+                                                                let _e1183 = select(_e1181, _e1179, (_e1179 > _e1181));
+                                                                let _e1185 = select(_e1175, _e1183, (_e1183 > _e1175));
+                                                                let _e1187 = select(_e1165, _e1164, (_e1164 > _e1165));
+                                                                let _e1189 = select(_e1169, _e1168, (_e1168 > _e1169));
+                                                                let _e1191 = select(_e1189, _e1187, (_e1187 < _e1189));
+                                                                let _e1193 = select(_e1177, _e1191, (_e1191 < _e1177));
+                                                                let _e1194 = -(_e1175);
+                                                                let _e1200 = select(_e440, _e1185, (_e1185 > _e440));
+                                                                if (_e1200 > (_e1193 + (select(_e1194, _e1177, (_e1177 > _e1194)) * 0.0000019073523f))) {
+                                                                    phi_2021_ = type_18();
+                                                                    phi_2022_ = true;
                                                                 } else {
-                                                                    let _e1237 = vec3((_e1217 == _e1234));
-                                                                    phi_1669_ = select(_e1183, _e1191, _e1237);
-                                                                    phi_1670_ = select(_e1187, _e1183, _e1237);
-                                                                }
-                                                                let _e1241 = phi_1669_;
-                                                                let _e1243 = phi_1670_;
-                                                                let _e1250 = ((_e1241.y * _e1243.z) - (_e1243.y * _e1241.z));
-                                                                let _e1255 = ((_e1241.z * _e1243.x) - (_e1243.z * _e1241.x));
-                                                                let _e1258 = ((_e1241.x * _e1243.y) - (_e1243.x * _e1241.y));
-                                                                if (_e1100 >= _e1104) {
-                                                                    phi_1701_ = select(true, false, (_e1100 >= _e1108));
-                                                                } else {
-                                                                    phi_1701_ = true;
-                                                                }
-                                                                let _e1263 = phi_1701_;
-                                                                if _e1263 {
-                                                                    phi_1710_ = select(vec3<f32>(_e1024, _e1037, _e1050), vec3<f32>(_e984, _e997, _e1010), vec3((_e1104 >= _e1108)));
-                                                                } else {
-                                                                    phi_1710_ = vec3<f32>(_e930, _e950, _e970);
-                                                                }
-                                                                let _e1268 = phi_1710_;
-                                                                let _e1285 = ((((_e1250 * (_e1268.x - _e287)) + (_e1255 * (_e1268.y - _e326))) + (_e1258 * (_e1268.z - _e364))) / (((_e1250 * _e312) + (_e1255 * _e350)) + (_e1258 * _e388)));
-                                                                let _e1287 = select(_e1167, _e1285, (_e1285 < _e1167));
-                                                                let _e1289 = select(_e1159, _e1287, (_e1287 > _e1159));
-                                                                if (_e1289 >= _e438) {
-                                                                    let _e1291 = (_e1289 <= _e868.member_1);
-                                                                    if _e1291 {
-                                                                        let _e1292 = (1f / _e1110);
-                                                                        phi_1750_ = type_18(_e1289, (_e1104 * _e1292), (_e1108 * _e1292), _e896);
+                                                                    let _e1202 = (_e1200 > _e870.member_1);
+                                                                    if _e1202 {
+                                                                        phi_2020_ = type_18();
                                                                     } else {
-                                                                        phi_1750_ = type_18();
+                                                                        let _e1203 = vec3<f32>(_e932, _e952, _e972);
+                                                                        let _e1204 = vec3<f32>(_e986, _e999, _e1012);
+                                                                        let _e1205 = vec3<f32>(_e1026, _e1039, _e1052);
+                                                                        let _e1206 = (_e986 - _e932);
+                                                                        let _e1207 = (_e999 - _e952);
+                                                                        let _e1208 = (_e1012 - _e972);
+                                                                        let _e1209 = vec3<f32>(_e1206, _e1207, _e1208);
+                                                                        let _e1210 = (_e1026 - _e986);
+                                                                        let _e1211 = (_e1039 - _e999);
+                                                                        let _e1212 = (_e1052 - _e1012);
+                                                                        let _e1213 = vec3<f32>(_e1210, _e1211, _e1212);
+                                                                        let _e1214 = (_e932 - _e1026);
+                                                                        let _e1215 = (_e952 - _e1039);
+                                                                        let _e1216 = (_e972 - _e1052);
+                                                                        let _e1217 = vec3<f32>(_e1214, _e1215, _e1216);
+                                                                        let _e1220 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
+                                                                        let _e1223 = bitcast<f32>((bitcast<u32>(_e1207) & 2147483647u));
+                                                                        let _e1225 = select(_e1223, _e1220, (_e1220 > _e1223));
+                                                                        let _e1228 = bitcast<f32>((bitcast<u32>(_e1208) & 2147483647u));
+                                                                        let _e1230 = select(_e1228, _e1225, (_e1225 > _e1228));
+                                                                        let _e1233 = bitcast<f32>((bitcast<u32>(_e1210) & 2147483647u));
+                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1211) & 2147483647u));
+                                                                        let _e1238 = select(_e1236, _e1233, (_e1233 > _e1236));
+                                                                        let _e1241 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
+                                                                        let _e1243 = select(_e1241, _e1238, (_e1238 > _e1241));
+                                                                        let _e1246 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
+                                                                        let _e1249 = bitcast<f32>((bitcast<u32>(_e1215) & 2147483647u));
+                                                                        let _e1251 = select(_e1249, _e1246, (_e1246 > _e1249));
+                                                                        let _e1254 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
+                                                                        let _e1256 = select(_e1254, _e1251, (_e1251 > _e1254));
+                                                                        let _e1258 = select(_e1243, _e1230, (_e1230 > _e1243));
+                                                                        let _e1260 = select(_e1256, _e1258, (_e1258 > _e1256));
+                                                                        if (_e1230 == _e1260) {
+                                                                            phi_1750_ = _e1071;
+                                                                            phi_1751_ = _e1068;
+                                                                            phi_1752_ = _e1062;
+                                                                            phi_1753_ = _e1059;
+                                                                            phi_1754_ = _e1203;
+                                                                            phi_1755_ = _e1217;
+                                                                            phi_1756_ = _e1213;
+                                                                            phi_1757_ = _e1209;
+                                                                        } else {
+                                                                            let _e1262 = (_e1243 == _e1260);
+                                                                            let _e1267 = vec3(_e1262);
+                                                                            phi_1750_ = select(_e1062, _e1080, _e1262);
+                                                                            phi_1751_ = select(_e1059, _e1077, _e1262);
+                                                                            phi_1752_ = select(_e1080, _e1071, _e1262);
+                                                                            phi_1753_ = select(_e1077, _e1068, _e1262);
+                                                                            phi_1754_ = select(_e1205, _e1204, _e1267);
+                                                                            phi_1755_ = select(_e1213, _e1209, _e1267);
+                                                                            phi_1756_ = select(_e1209, _e1217, _e1267);
+                                                                            phi_1757_ = select(_e1217, _e1213, _e1267);
+                                                                        }
+                                                                        let _e1273 = phi_1750_;
+                                                                        let _e1275 = phi_1751_;
+                                                                        let _e1277 = phi_1752_;
+                                                                        let _e1279 = phi_1753_;
+                                                                        let _e1281 = phi_1754_;
+                                                                        let _e1283 = phi_1755_;
+                                                                        let _e1285 = phi_1756_;
+                                                                        let _e1287 = phi_1757_;
+                                                                        let _e1294 = ((_e1285.y * _e1283.z) - (_e1283.y * _e1285.z));
+                                                                        let _e1299 = ((_e1285.z * _e1283.x) - (_e1283.z * _e1285.x));
+                                                                        let _e1302 = ((_e1285.x * _e1283.y) - (_e1283.x * _e1285.y));
+                                                                        if (_e1102 >= _e1106) {
+                                                                            phi_1788_ = select(true, false, (_e1102 >= _e1110));
+                                                                        } else {
+                                                                            phi_1788_ = true;
+                                                                        }
+                                                                        let _e1307 = phi_1788_;
+                                                                        if _e1307 {
+                                                                            phi_1797_ = select(_e1205, _e1204, vec3((_e1106 >= _e1110)));
+                                                                        } else {
+                                                                            phi_1797_ = _e1203;
+                                                                        }
+                                                                        let _e1312 = phi_1797_;
+                                                                        let _e1317 = (((_e1294 * _e314) + (_e1299 * _e352)) + (_e1302 * _e390));
+                                                                        let _e1328 = (((_e1294 * (_e1312.x - _e289)) + (_e1299 * (_e1312.y - _e328))) + (_e1302 * (_e1312.z - _e366)));
+                                                                        let _e1330 = (_e1275 - _e1279);
+                                                                        let _e1331 = (_e1273 - _e1277);
+                                                                        let _e1339 = (-(((_e1279 * _e1330) + (_e1277 * _e1331))) / ((_e1330 * _e1330) + (_e1331 * _e1331)));
+                                                                        let _e1341 = select(1f, _e1339, (_e1339 < 1f));
+                                                                        let _e1343 = select(0f, _e1341, (_e1341 > 0f));
+                                                                        let _e1356 = ((_e1281.x + (_e1287.x * _e1343)) - _e289);
+                                                                        let _e1357 = ((_e1281.y + (_e1287.y * _e1343)) - _e328);
+                                                                        let _e1358 = ((_e1281.z + (_e1287.z * _e1343)) - _e366);
+                                                                        let _e1359 = (_e1358 / _e390);
+                                                                        let _e1371 = bitcast<f32>((bitcast<u32>(_e1356) & 2147483647u));
+                                                                        let _e1374 = bitcast<f32>((bitcast<u32>(_e1357) & 2147483647u));
+                                                                        let _e1376 = select(_e1374, _e1371, (_e1371 > _e1374));
+                                                                        let _e1379 = bitcast<f32>((bitcast<u32>(_e1358) & 2147483647u));
+                                                                        let _e1381 = select(_e1379, _e1376, (_e1376 > _e1379));
+                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u));
+                                                                        let _e1390 = bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u));
+                                                                        let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                        let _e1395 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1294 * _e1356) + (_e1299 * _e1357)) + (_e1302 * _e1358)) - _e1328)) & 2147483647u)) <= ((0.0000009536743f * select(_e1260, _e1381, (_e1381 > _e1260))) * select(_e1395, _e1392, (_e1392 > _e1395)))) {
+                                                                            let _e1405 = bitcast<f32>((bitcast<u32>(_e1285.x) & 2147483647u));
+                                                                            let _e1408 = bitcast<f32>((bitcast<u32>(_e1285.y) & 2147483647u));
+                                                                            let _e1410 = select(_e1408, _e1405, (_e1405 > _e1408));
+                                                                            let _e1413 = bitcast<f32>((bitcast<u32>(_e1285.z) & 2147483647u));
+                                                                            let _e1419 = bitcast<f32>((bitcast<u32>(_e1283.x) & 2147483647u));
+                                                                            let _e1422 = bitcast<f32>((bitcast<u32>(_e1283.y) & 2147483647u));
+                                                                            let _e1424 = select(_e1422, _e1419, (_e1419 > _e1422));
+                                                                            let _e1427 = bitcast<f32>((bitcast<u32>(_e1283.z) & 2147483647u));
+                                                                            phi_1964_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1317) & 2147483647u)) > ((0.0000038146973f * select(_e1413, _e1410, (_e1410 > _e1413))) * select(_e1427, _e1424, (_e1424 > _e1427)))));
+                                                                        } else {
+                                                                            phi_1964_ = true;
+                                                                        }
+                                                                        let _e1434 = phi_1964_;
+                                                                        if _e1434 {
+                                                                            let _e1445 = ((((_e1294 * (_e1356 - (_e314 * _e1359))) + (_e1299 * (_e1357 - (_e352 * _e1359)))) + (_e1302 * (_e1358 - _e1358))) / _e1317);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1445) & 2147483647u)) <= _e1260) {
+                                                                                phi_1988_ = (_e1359 + _e1445);
+                                                                            } else {
+                                                                                phi_1988_ = _e1359;
+                                                                            }
+                                                                            let _e1452 = phi_1988_;
+                                                                            phi_1989_ = _e1452;
+                                                                        } else {
+                                                                            phi_1989_ = (_e1328 / _e1317);
+                                                                        }
+                                                                        let _e1454 = phi_1989_;
+                                                                        let _e1456 = select(_e1193, _e1454, (_e1454 < _e1193));
+                                                                        let _e1458 = select(_e1185, _e1456, (_e1456 > _e1185));
+                                                                        if (_e1458 >= _e440) {
+                                                                            let _e1460 = (_e1458 <= _e870.member_1);
+                                                                            if _e1460 {
+                                                                                let _e1461 = (1f / _e1112);
+                                                                                phi_2012_ = type_18(_e1458, (_e1106 * _e1461), (_e1110 * _e1461), _e898);
+                                                                            } else {
+                                                                                phi_2012_ = type_18();
+                                                                            }
+                                                                            let _e1466 = phi_2012_;
+                                                                            phi_2014_ = _e1466;
+                                                                            phi_2015_ = select(true, false, _e1460);
+                                                                        } else {
+                                                                            phi_2014_ = type_18();
+                                                                            phi_2015_ = true;
+                                                                        }
+                                                                        let _e1469 = phi_2014_;
+                                                                        let _e1471 = phi_2015_;
+                                                                        if _e1471 {
+                                                                            phi_2019_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2019_ = _e1469;
+                                                                        }
+                                                                        let _e1473 = phi_2019_;
+                                                                        phi_2020_ = _e1473;
                                                                     }
-                                                                    let _e1297 = phi_1750_;
-                                                                    phi_1752_ = _e1297;
-                                                                    phi_1753_ = select(true, false, _e1291);
-                                                                } else {
-                                                                    phi_1752_ = type_18();
-                                                                    phi_1753_ = true;
+                                                                    let _e1475 = phi_2020_;
+                                                                    phi_2021_ = _e1475;
+                                                                    phi_2022_ = _e1202;
                                                                 }
-                                                                let _e1300 = phi_1752_;
-                                                                let _e1302 = phi_1753_;
-                                                                if _e1302 {
-                                                                    phi_1757_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1757_ = _e1300;
-                                                                }
-                                                                let _e1304 = phi_1757_;
-                                                                phi_1758_ = _e1304;
+                                                                let _e1477 = phi_2021_;
+                                                                let _e1479 = phi_2022_;
+                                                                phi_2026_ = _e1477;
+                                                                phi_2027_ = _e1479;
                                                             }
-                                                            let _e1306 = phi_1758_;
-                                                            phi_1759_ = _e1306;
-                                                            phi_1760_ = _e1176;
+                                                            let _e1481 = phi_2026_;
+                                                            let _e1483 = phi_2027_;
+                                                            phi_2028_ = _e1481;
+                                                            phi_2029_ = _e1137;
+                                                            phi_2030_ = _e1483;
                                                         }
-                                                        let _e1308 = phi_1759_;
-                                                        let _e1310 = phi_1760_;
-                                                        phi_1764_ = _e1308;
-                                                        phi_1765_ = _e1310;
+                                                        let _e1485 = phi_2028_;
+                                                        let _e1487 = phi_2029_;
+                                                        let _e1489 = phi_2030_;
+                                                        phi_2031_ = _e1485;
+                                                        phi_2032_ = _e1487;
+                                                        phi_2033_ = _e1489;
                                                     }
-                                                    let _e1312 = phi_1764_;
-                                                    let _e1314 = phi_1765_;
-                                                    phi_1769_ = _e1312;
-                                                    phi_1770_ = _e1314;
+                                                    let _e1491 = phi_2031_;
+                                                    let _e1493 = phi_2032_;
+                                                    let _e1495 = phi_2033_;
+                                                    phi_2041_ = _e1491;
+                                                    phi_2042_ = select(_e1495, true, _e1493);
                                                 } else {
-                                                    phi_1769_ = type_18();
-                                                    phi_1770_ = true;
+                                                    phi_2041_ = type_18();
+                                                    phi_2042_ = true;
                                                 }
-                                                let _e1316 = phi_1769_;
-                                                let _e1318 = phi_1770_;
-                                                if _e1318 {
-                                                    phi_1774_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1498 = phi_2041_;
+                                                let _e1500 = phi_2042_;
+                                                if _e1500 {
+                                                    phi_2046_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1774_ = _e1316;
+                                                    phi_2046_ = _e1498;
                                                 }
-                                                let _e1320 = phi_1774_;
-                                                if (_e1320.member_3 != 4294967295u) {
-                                                    if (_e896 != 4294967295u) {
-                                                        if (_e1320.member < _e868.member.member) {
-                                                            phi_1800_ = true;
+                                                let _e1502 = phi_2046_;
+                                                if (_e1502.member_3 != 4294967295u) {
+                                                    if (_e898 != 4294967295u) {
+                                                        if (_e1502.member < _e870.member.member) {
+                                                            phi_2072_ = true;
                                                         } else {
-                                                            if (_e1320.member == _e868.member.member) {
-                                                                phi_1799_ = (_e1320.member_3 < _e868.member.member_3);
+                                                            if (_e1502.member == _e870.member.member) {
+                                                                phi_2071_ = (_e1502.member_3 < _e870.member.member_3);
                                                             } else {
-                                                                phi_1799_ = false;
+                                                                phi_2071_ = false;
                                                             }
-                                                            let _e1333 = phi_1799_;
-                                                            phi_1800_ = _e1333;
+                                                            let _e1515 = phi_2071_;
+                                                            phi_2072_ = _e1515;
                                                         }
-                                                        let _e1335 = phi_1800_;
-                                                        if _e1335 {
-                                                            phi_1806_ = type_29(_e1320, _e1320.member);
+                                                        let _e1517 = phi_2072_;
+                                                        if _e1517 {
+                                                            phi_2078_ = type_29(_e1502, _e1502.member);
                                                         } else {
-                                                            phi_1806_ = _e868;
+                                                            phi_2078_ = _e870;
                                                         }
-                                                        let _e1338 = phi_1806_;
-                                                        phi_1807_ = _e1338;
+                                                        let _e1520 = phi_2078_;
+                                                        phi_2079_ = _e1520;
                                                     } else {
-                                                        phi_1807_ = _e868;
+                                                        phi_2079_ = _e870;
                                                     }
-                                                    let _e1340 = phi_1807_;
-                                                    phi_1808_ = _e1340;
+                                                    let _e1522 = phi_2079_;
+                                                    phi_2080_ = _e1522;
                                                 } else {
-                                                    phi_1808_ = _e868;
+                                                    phi_2080_ = _e870;
                                                 }
-                                                let _e1342 = phi_1808_;
-                                                phi_897_ = _e1342;
+                                                let _e1524 = phi_2080_;
+                                                phi_902_ = _e1524;
                                             } else {
-                                                phi_897_ = type_29();
+                                                phi_902_ = type_29();
                                             }
-                                            let _e1344 = phi_897_;
+                                            let _e1526 = phi_902_;
                                             continue;
                                             continuing {
-                                                phi_896_ = _e1344;
-                                                phi_899_ = _e883;
-                                                phi_2869_ = _e470;
-                                                break if !(_e889);
+                                                phi_901_ = _e1526;
+                                                phi_904_ = _e885;
+                                                phi_3141_ = _e472;
+                                                break if !(_e891);
                                             }
                                         }
-                                        let _e1347 = phi_2869_;
-                                        phi_3001_ = _e1347;
-                                        if _e1347 {
+                                        let _e1529 = phi_3141_;
+                                        phi_3301_ = _e1529;
+                                        if _e1529 {
                                             break;
                                         }
-                                        phi_3005_ = _e1347;
-                                        let _e1515 = local_11;
-                                        phi_2757_ = _e1515;
-                                        phi_2758_ = _e511;
-                                        phi_2759_ = false;
-                                        phi_2760_ = _e515;
+                                        phi_3305_ = _e1529;
+                                        let _e1714 = local_11;
+                                        phi_3029_ = _e1714;
+                                        phi_3030_ = _e513;
+                                        phi_3031_ = false;
+                                        phi_3032_ = _e517;
                                     } else {
-                                        let _e525 = (_e511.member_1 < _e75);
-                                        if _e525 {
-                                            if _e525 {
+                                        let _e527 = (_e513.member_1 < _e77);
+                                        if _e527 {
+                                            if _e527 {
                                             } else {
-                                                phi_3001_ = true;
+                                                phi_3301_ = true;
                                                 break;
                                             }
-                                            let _e527 = global_4.member[_e511.member_1];
-                                            phi_1827_ = _e527;
+                                            let _e529 = global_4.member[_e513.member_1];
+                                            phi_2099_ = _e529;
                                         } else {
-                                            phi_1827_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2099_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e529 = phi_1827_;
-                                        let _e544 = ((10u * _e238) & 31u);
-                                        let _e547 = ((_e529.member[0] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e552 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[0] - _e511.member.member[0]) * 0.0009775171f)) ^ _e110));
-                                        let _e558 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e547) * _e552)) ^ _e110)));
-                                        let _e562 = select(select(_e511.member.member_1[0], _e558, (_e558 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e547 == 1023u));
-                                        let _e564 = ((10u * _e237) & 31u);
-                                        let _e567 = ((_e529.member[0] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e572 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[1] - _e511.member.member[1]) * 0.0009775171f)) ^ _e110));
-                                        let _e578 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e567) * _e572)) ^ _e110)));
-                                        let _e582 = select(select(_e511.member.member_1[1], _e578, (_e578 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e567 == 1023u));
-                                        let _e584 = ((10u * _e239) & 31u);
-                                        let _e587 = ((_e529.member[0] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e592 = bitcast<f32>((bitcast<u32>(((_e511.member.member_1[2] - _e511.member.member[2]) * 0.0009775171f)) ^ _e110));
-                                        let _e598 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e587) * _e592)) ^ _e110)));
-                                        let _e602 = select(select(_e511.member.member_1[2], _e598, (_e598 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e587 == 1023u));
-                                        let _e605 = ((_e529.member[1] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e611 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e605) * _e552)) ^ _e110)));
-                                        let _e615 = select(select(_e511.member.member_1[0], _e611, (_e611 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e605 == 1023u));
-                                        let _e618 = ((_e529.member[1] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e624 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e618) * _e572)) ^ _e110)));
-                                        let _e628 = select(select(_e511.member.member_1[1], _e624, (_e624 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e618 == 1023u));
-                                        let _e631 = ((_e529.member[1] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e637 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e631) * _e592)) ^ _e110)));
-                                        let _e641 = select(select(_e511.member.member_1[2], _e637, (_e637 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e631 == 1023u));
-                                        let _e647 = ((_e529.member_1[0] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e653 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e647) * _e552)) ^ _e110)));
-                                        let _e657 = select(select(_e511.member.member_1[0], _e653, (_e653 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e647 == 1023u));
-                                        let _e660 = ((_e529.member_1[0] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e666 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e660) * _e572)) ^ _e110)));
-                                        let _e670 = select(select(_e511.member.member_1[1], _e666, (_e666 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e660 == 1023u));
-                                        let _e673 = ((_e529.member_1[0] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e679 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e673) * _e592)) ^ _e110)));
-                                        let _e683 = select(select(_e511.member.member_1[2], _e679, (_e679 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e673 == 1023u));
-                                        let _e686 = ((_e529.member_1[1] >> bitcast<u32>(_e544)) & 1023u);
-                                        let _e692 = (_e511.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e686) * _e552)) ^ _e110)));
-                                        let _e696 = select(select(_e511.member.member_1[0], _e692, (_e692 < _e511.member.member_1[0])), _e511.member.member_1[0], (_e686 == 1023u));
-                                        let _e699 = ((_e529.member_1[1] >> bitcast<u32>(_e564)) & 1023u);
-                                        let _e705 = (_e511.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e699) * _e572)) ^ _e110)));
-                                        let _e709 = select(select(_e511.member.member_1[1], _e705, (_e705 < _e511.member.member_1[1])), _e511.member.member_1[1], (_e699 == 1023u));
-                                        let _e712 = ((_e529.member_1[1] >> bitcast<u32>(_e584)) & 1023u);
-                                        let _e718 = (_e511.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e712) * _e592)) ^ _e110)));
-                                        let _e722 = select(select(_e511.member.member_1[2], _e718, (_e718 < _e511.member.member_1[2])), _e511.member.member_1[2], (_e712 == 1023u));
-                                        let _e727 = type_50(type_42(array<f32, 3>(_e562, _e582, _e602), array<f32, 3>(_e615, _e628, _e641)), _e529.member_2);
-                                        let _e732 = type_50(type_42(array<f32, 3>(_e657, _e670, _e683), array<f32, 3>(_e696, _e709, _e722)), _e529.member_3);
-                                        let _e738 = ((_e562 - _e310) * _e315);
-                                        let _e739 = ((_e657 - _e310) * _e315);
-                                        let _e740 = ((_e615 - _e311) * _e315);
-                                        let _e741 = ((_e696 - _e311) * _e315);
-                                        let _e746 = ((_e582 - _e348) * _e353);
-                                        let _e747 = ((_e670 - _e348) * _e353);
-                                        let _e748 = ((_e628 - _e349) * _e353);
-                                        let _e749 = ((_e709 - _e349) * _e353);
-                                        let _e754 = ((_e602 - _e386) * _e391);
-                                        let _e755 = ((_e683 - _e386) * _e391);
-                                        let _e756 = ((_e641 - _e387) * _e391);
-                                        let _e757 = ((_e722 - _e387) * _e391);
-                                        let _e759 = select(_e756, _e754, (_e754 < _e756));
-                                        let _e761 = select(_e757, _e755, (_e755 < _e757));
-                                        let _e763 = select(_e756, _e754, (_e754 > _e756));
-                                        let _e765 = select(_e757, _e755, (_e755 > _e757));
-                                        let _e767 = select(_e740, _e738, (_e738 < _e740));
-                                        let _e769 = select(_e741, _e739, (_e739 < _e741));
-                                        let _e771 = select(_e748, _e746, (_e746 < _e748));
-                                        let _e773 = select(_e749, _e747, (_e747 < _e749));
-                                        let _e775 = select(_e771, _e767, (_e767 > _e771));
+                                        let _e531 = phi_2099_;
+                                        let _e546 = ((10u * _e240) & 31u);
+                                        let _e549 = ((_e531.member[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e554 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e112));
+                                        let _e560 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e549) * _e554)) ^ _e112)));
+                                        let _e564 = select(select(_e513.member.member_1[0], _e560, (_e560 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e549 == 1023u));
+                                        let _e566 = ((10u * _e239) & 31u);
+                                        let _e569 = ((_e531.member[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e574 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e112));
+                                        let _e580 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e569) * _e574)) ^ _e112)));
+                                        let _e584 = select(select(_e513.member.member_1[1], _e580, (_e580 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e569 == 1023u));
+                                        let _e586 = ((10u * _e241) & 31u);
+                                        let _e589 = ((_e531.member[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e594 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e112));
+                                        let _e600 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e589) * _e594)) ^ _e112)));
+                                        let _e604 = select(select(_e513.member.member_1[2], _e600, (_e600 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e589 == 1023u));
+                                        let _e607 = ((_e531.member[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e613 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e607) * _e554)) ^ _e112)));
+                                        let _e617 = select(select(_e513.member.member_1[0], _e613, (_e613 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e607 == 1023u));
+                                        let _e620 = ((_e531.member[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e626 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e620) * _e574)) ^ _e112)));
+                                        let _e630 = select(select(_e513.member.member_1[1], _e626, (_e626 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e620 == 1023u));
+                                        let _e633 = ((_e531.member[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e639 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e633) * _e594)) ^ _e112)));
+                                        let _e643 = select(select(_e513.member.member_1[2], _e639, (_e639 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e633 == 1023u));
+                                        let _e649 = ((_e531.member_1[0] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e655 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e554)) ^ _e112)));
+                                        let _e659 = select(select(_e513.member.member_1[0], _e655, (_e655 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e649 == 1023u));
+                                        let _e662 = ((_e531.member_1[0] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e668 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e662) * _e574)) ^ _e112)));
+                                        let _e672 = select(select(_e513.member.member_1[1], _e668, (_e668 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e662 == 1023u));
+                                        let _e675 = ((_e531.member_1[0] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e681 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e675) * _e594)) ^ _e112)));
+                                        let _e685 = select(select(_e513.member.member_1[2], _e681, (_e681 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e675 == 1023u));
+                                        let _e688 = ((_e531.member_1[1] >> bitcast<u32>(_e546)) & 1023u);
+                                        let _e694 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e688) * _e554)) ^ _e112)));
+                                        let _e698 = select(select(_e513.member.member_1[0], _e694, (_e694 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e688 == 1023u));
+                                        let _e701 = ((_e531.member_1[1] >> bitcast<u32>(_e566)) & 1023u);
+                                        let _e707 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e701) * _e574)) ^ _e112)));
+                                        let _e711 = select(select(_e513.member.member_1[1], _e707, (_e707 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e701 == 1023u));
+                                        let _e714 = ((_e531.member_1[1] >> bitcast<u32>(_e586)) & 1023u);
+                                        let _e720 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e714) * _e594)) ^ _e112)));
+                                        let _e724 = select(select(_e513.member.member_1[2], _e720, (_e720 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e714 == 1023u));
+                                        let _e729 = type_50(type_42(array<f32, 3>(_e564, _e584, _e604), array<f32, 3>(_e617, _e630, _e643)), _e531.member_2);
+                                        let _e734 = type_50(type_42(array<f32, 3>(_e659, _e672, _e685), array<f32, 3>(_e698, _e711, _e724)), _e531.member_3);
+                                        let _e740 = ((_e564 - _e312) * _e317);
+                                        let _e741 = ((_e659 - _e312) * _e317);
+                                        let _e742 = ((_e617 - _e313) * _e317);
+                                        let _e743 = ((_e698 - _e313) * _e317);
+                                        let _e748 = ((_e584 - _e350) * _e355);
+                                        let _e749 = ((_e672 - _e350) * _e355);
+                                        let _e750 = ((_e630 - _e351) * _e355);
+                                        let _e751 = ((_e711 - _e351) * _e355);
+                                        let _e756 = ((_e604 - _e388) * _e393);
+                                        let _e757 = ((_e685 - _e388) * _e393);
+                                        let _e758 = ((_e643 - _e389) * _e393);
+                                        let _e759 = ((_e724 - _e389) * _e393);
+                                        let _e761 = select(_e758, _e756, (_e756 < _e758));
+                                        let _e763 = select(_e759, _e757, (_e757 < _e759));
+                                        let _e765 = select(_e758, _e756, (_e756 > _e758));
+                                        let _e767 = select(_e759, _e757, (_e757 > _e759));
+                                        let _e769 = select(_e742, _e740, (_e740 < _e742));
+                                        let _e771 = select(_e743, _e741, (_e741 < _e743));
+                                        let _e773 = select(_e750, _e748, (_e748 < _e750));
+                                        let _e775 = select(_e751, _e749, (_e749 < _e751));
                                         let _e777 = select(_e773, _e769, (_e769 > _e773));
-                                        let _e779 = select(_e759, _e775, (_e775 > _e759));
+                                        let _e779 = select(_e775, _e771, (_e771 > _e775));
                                         let _e781 = select(_e761, _e777, (_e777 > _e761));
-                                        let _e783 = select(_e740, _e738, (_e738 > _e740));
-                                        let _e785 = select(_e741, _e739, (_e739 > _e741));
-                                        let _e787 = select(_e748, _e746, (_e746 > _e748));
-                                        let _e789 = select(_e749, _e747, (_e747 > _e749));
-                                        let _e791 = select(_e787, _e783, (_e783 < _e787));
+                                        let _e783 = select(_e763, _e779, (_e779 > _e763));
+                                        let _e785 = select(_e742, _e740, (_e740 > _e742));
+                                        let _e787 = select(_e743, _e741, (_e741 > _e743));
+                                        let _e789 = select(_e750, _e748, (_e748 > _e750));
+                                        let _e791 = select(_e751, _e749, (_e749 > _e751));
                                         let _e793 = select(_e789, _e785, (_e785 < _e789));
-                                        let _e798 = -(_e759);
-                                        let _e799 = -(_e761);
-                                        let _e806 = (select(_e763, _e791, (_e791 < _e763)) + (select(_e798, _e763, (_e763 > _e798)) * 0.0000019073523f));
-                                        let _e807 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e799, _e765, (_e765 > _e799)) * 0.0000019073523f));
-                                        let _e809 = select(_e438, _e779, (_e779 > _e438));
-                                        let _e811 = select(_e438, _e781, (_e781 > _e438));
-                                        let _e816 = (_e809 <= select(_e472.member_1, _e806, (_e806 < _e472.member_1)));
-                                        let _e817 = (_e811 <= select(_e472.member_1, _e807, (_e807 < _e472.member_1)));
-                                        let _e818 = (_e809 <= _e811);
-                                        if _e816 {
-                                            if _e817 {
-                                                if _e818 {
-                                                    phi_2659_ = _e732;
+                                        let _e795 = select(_e791, _e787, (_e787 < _e791));
+                                        let _e800 = -(_e761);
+                                        let _e801 = -(_e763);
+                                        let _e808 = (select(_e765, _e793, (_e793 < _e765)) + (select(_e800, _e765, (_e765 > _e800)) * 0.0000019073523f));
+                                        let _e809 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e801, _e767, (_e767 > _e801)) * 0.0000019073523f));
+                                        let _e811 = select(_e440, _e781, (_e781 > _e440));
+                                        let _e813 = select(_e440, _e783, (_e783 > _e440));
+                                        let _e818 = (_e811 <= select(_e474.member_1, _e808, (_e808 < _e474.member_1)));
+                                        let _e819 = (_e813 <= select(_e474.member_1, _e809, (_e809 < _e474.member_1)));
+                                        let _e820 = (_e811 <= _e813);
+                                        if _e818 {
+                                            if _e819 {
+                                                if _e820 {
+                                                    phi_2931_ = _e734;
                                                 } else {
-                                                    phi_2659_ = _e727;
+                                                    phi_2931_ = _e729;
                                                 }
-                                                let _e820 = phi_2659_;
-                                                let _e828 = (_e515 % 128u);
-                                                let _e829 = (_e828 < 128u);
-                                                if _e829 {
+                                                let _e822 = phi_2931_;
+                                                let _e830 = (_e517 % 128u);
+                                                let _e831 = (_e830 < 128u);
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_6[_e828] = _e820.member_1;
-                                                if _e829 {
+                                                local_6[_e830] = _e822.member_1;
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_5[_e828] = _e820.member.member[0];
-                                                if _e829 {
+                                                local_5[_e830] = _e822.member.member[0];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_4[_e828] = _e820.member.member[1];
-                                                if _e829 {
+                                                local_4[_e830] = _e822.member.member[1];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_3[_e828] = _e820.member.member[2];
-                                                if _e829 {
+                                                local_3[_e830] = _e822.member.member[2];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_2[_e828] = _e820.member.member_1[0];
-                                                if _e829 {
+                                                local_2[_e830] = _e822.member.member_1[0];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_1[_e828] = _e820.member.member_1[1];
-                                                if _e829 {
+                                                local_1[_e830] = _e822.member.member_1[1];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local[_e828] = _e820.member.member_1[2];
-                                                if _e829 {
+                                                local[_e830] = _e822.member.member_1[2];
+                                                if _e831 {
                                                 } else {
-                                                    phi_3001_ = true;
+                                                    phi_3301_ = true;
                                                     break;
                                                 }
-                                                local_7[_e828] = select(_e811, _e809, (_e809 > _e811));
-                                                if _e818 {
-                                                    phi_2736_ = _e727;
+                                                local_7[_e830] = select(_e813, _e811, (_e811 > _e813));
+                                                if _e820 {
+                                                    phi_3008_ = _e729;
                                                 } else {
-                                                    phi_2736_ = _e732;
+                                                    phi_3008_ = _e734;
                                                 }
-                                                let _e846 = phi_2736_;
-                                                phi_2737_ = _e846;
-                                                phi_2738_ = (_e515 + 1u);
+                                                let _e848 = phi_3008_;
+                                                phi_3009_ = _e848;
+                                                phi_3010_ = (_e517 + 1u);
                                             } else {
-                                                phi_2737_ = type_50();
-                                                phi_2738_ = u32();
+                                                phi_3009_ = type_50();
+                                                phi_3010_ = u32();
                                             }
-                                            let _e848 = phi_2737_;
-                                            let _e850 = phi_2738_;
-                                            phi_2740_ = _e848;
-                                            phi_2741_ = _e850;
-                                            phi_2742_ = select(true, false, _e817);
+                                            let _e850 = phi_3009_;
+                                            let _e852 = phi_3010_;
+                                            phi_3012_ = _e850;
+                                            phi_3013_ = _e852;
+                                            phi_3014_ = select(true, false, _e819);
                                         } else {
-                                            phi_2740_ = type_50();
-                                            phi_2741_ = u32();
-                                            phi_2742_ = true;
+                                            phi_3012_ = type_50();
+                                            phi_3013_ = u32();
+                                            phi_3014_ = true;
                                         }
-                                        let _e853 = phi_2740_;
-                                        let _e855 = phi_2741_;
-                                        let _e857 = phi_2742_;
-                                        if _e857 {
-                                            if _e816 {
-                                                phi_2749_ = _e727;
+                                        let _e855 = phi_3012_;
+                                        let _e857 = phi_3013_;
+                                        let _e859 = phi_3014_;
+                                        if _e859 {
+                                            if _e818 {
+                                                phi_3021_ = _e729;
                                             } else {
-                                                phi_2749_ = _e732;
+                                                phi_3021_ = _e734;
                                             }
-                                            let _e859 = phi_2749_;
-                                            phi_2754_ = _e859;
-                                            phi_2755_ = select(_e817, true, _e816);
+                                            let _e861 = phi_3021_;
+                                            phi_3026_ = _e861;
+                                            phi_3027_ = select(_e819, true, _e818);
                                         } else {
-                                            phi_2754_ = _e853;
-                                            phi_2755_ = _e513;
+                                            phi_3026_ = _e855;
+                                            phi_3027_ = _e515;
                                         }
-                                        let _e862 = phi_2754_;
-                                        let _e864 = phi_2755_;
-                                        phi_3005_ = _e470;
-                                        phi_2757_ = _e472;
-                                        phi_2758_ = _e862;
-                                        phi_2759_ = _e864;
-                                        phi_2760_ = select(_e855, _e515, _e857);
+                                        let _e864 = phi_3026_;
+                                        let _e866 = phi_3027_;
+                                        phi_3305_ = _e472;
+                                        phi_3029_ = _e474;
+                                        phi_3030_ = _e864;
+                                        phi_3031_ = _e866;
+                                        phi_3032_ = select(_e857, _e517, _e859);
                                     }
-                                    let _e1349 = phi_3005_;
-                                    let _e1351 = phi_2757_;
-                                    let _e1353 = phi_2758_;
-                                    let _e1355 = phi_2759_;
-                                    let _e1357 = phi_2760_;
-                                    phi_3004_ = _e1349;
-                                    phi_2761_ = _e1351;
-                                    phi_2762_ = _e1353;
-                                    phi_2763_ = (_e476 - 1u);
-                                    phi_2764_ = _e1355;
-                                    phi_2765_ = _e1357;
+                                    let _e1531 = phi_3305_;
+                                    let _e1533 = phi_3029_;
+                                    let _e1535 = phi_3030_;
+                                    let _e1537 = phi_3031_;
+                                    let _e1539 = phi_3032_;
+                                    phi_3304_ = _e1531;
+                                    phi_3033_ = _e1533;
+                                    phi_3034_ = _e1535;
+                                    phi_3035_ = (_e478 - 1u);
+                                    phi_3036_ = _e1537;
+                                    phi_3037_ = _e1539;
                                 } else {
-                                    phi_3004_ = _e470;
-                                    phi_2761_ = _e472;
-                                    phi_2762_ = _e511;
-                                    phi_2763_ = _e476;
-                                    phi_2764_ = _e513;
-                                    phi_2765_ = _e515;
+                                    phi_3304_ = _e472;
+                                    phi_3033_ = _e474;
+                                    phi_3034_ = _e513;
+                                    phi_3035_ = _e478;
+                                    phi_3036_ = _e515;
+                                    phi_3037_ = _e517;
                                 }
-                                let _e1359 = phi_3004_;
-                                let _e1361 = phi_2761_;
-                                let _e1363 = phi_2762_;
-                                let _e1365 = phi_2763_;
-                                let _e1367 = phi_2764_;
-                                let _e1369 = phi_2765_;
-                                phi_3003_ = _e1359;
-                                phi_2766_ = _e1361;
-                                phi_2767_ = _e1363;
-                                phi_2768_ = _e1365;
-                                phi_2769_ = _e1367;
-                                phi_2770_ = _e1369;
+                                let _e1541 = phi_3304_;
+                                let _e1543 = phi_3033_;
+                                let _e1545 = phi_3034_;
+                                let _e1547 = phi_3035_;
+                                let _e1549 = phi_3036_;
+                                let _e1551 = phi_3037_;
+                                phi_3303_ = _e1541;
+                                phi_3038_ = _e1543;
+                                phi_3039_ = _e1545;
+                                phi_3040_ = _e1547;
+                                phi_3041_ = _e1549;
+                                phi_3042_ = _e1551;
                             } else {
-                                phi_3003_ = _e470;
-                                phi_2766_ = type_29();
-                                phi_2767_ = type_50();
-                                phi_2768_ = u32();
-                                phi_2769_ = bool();
-                                phi_2770_ = u32();
+                                phi_3303_ = _e472;
+                                phi_3038_ = type_29();
+                                phi_3039_ = type_50();
+                                phi_3040_ = u32();
+                                phi_3041_ = bool();
+                                phi_3042_ = u32();
                             }
-                            let _e1371 = phi_3003_;
-                            let _e1373 = phi_2766_;
-                            let _e1375 = phi_2767_;
-                            let _e1377 = phi_2768_;
-                            let _e1379 = phi_2769_;
-                            let _e1381 = phi_2770_;
-                            phi_3002_ = _e1371;
-                            phi_770_ = _e1373;
-                            phi_773_ = _e1375;
-                            phi_775_ = _e1377;
-                            phi_777_ = _e1379;
-                            phi_779_ = _e1381;
-                            phi_2771_ = _e484;
+                            let _e1553 = phi_3303_;
+                            let _e1555 = phi_3038_;
+                            let _e1557 = phi_3039_;
+                            let _e1559 = phi_3040_;
+                            let _e1561 = phi_3041_;
+                            let _e1563 = phi_3042_;
+                            phi_3302_ = _e1553;
+                            phi_775_ = _e1555;
+                            phi_778_ = _e1557;
+                            phi_780_ = _e1559;
+                            phi_782_ = _e1561;
+                            phi_784_ = _e1563;
+                            phi_3043_ = _e486;
                         } else {
-                            phi_3002_ = _e470;
-                            phi_770_ = type_29();
-                            phi_773_ = type_50();
-                            phi_775_ = u32();
-                            phi_777_ = bool();
-                            phi_779_ = u32();
-                            phi_2771_ = false;
+                            phi_3302_ = _e472;
+                            phi_775_ = type_29();
+                            phi_778_ = type_50();
+                            phi_780_ = u32();
+                            phi_782_ = bool();
+                            phi_784_ = u32();
+                            phi_3043_ = false;
                         }
-                        let _e1383 = phi_3002_;
-                        let _e1385 = phi_770_;
-                        let _e1387 = phi_773_;
-                        let _e1389 = phi_775_;
-                        let _e1391 = phi_777_;
-                        let _e1393 = phi_779_;
-                        let _e1395 = phi_2771_;
+                        let _e1565 = phi_3302_;
+                        let _e1567 = phi_775_;
+                        let _e1569 = phi_778_;
+                        let _e1571 = phi_780_;
+                        let _e1573 = phi_782_;
+                        let _e1575 = phi_784_;
+                        let _e1577 = phi_3043_;
                         continue;
                         continuing {
-                            phi_2875_ = _e1383;
-                            phi_769_ = _e1385;
-                            phi_772_ = _e1387;
-                            phi_774_ = _e1389;
-                            phi_776_ = _e1391;
-                            phi_778_ = _e1393;
-                            phi_3001_ = _e1383;
-                            break if !(_e1395);
+                            phi_3147_ = _e1565;
+                            phi_774_ = _e1567;
+                            phi_777_ = _e1569;
+                            phi_779_ = _e1571;
+                            phi_781_ = _e1573;
+                            phi_783_ = _e1575;
+                            phi_3301_ = _e1565;
+                            break if !(_e1577);
                         }
                     }
-                    let _e1398 = phi_3001_;
-                    if _e1398 {
+                    let _e1580 = phi_3301_;
+                    if _e1580 {
                         break;
                     }
-                    let _e1400 = local_10;
-                    if (_e1400.member.member_3 != 4294967295u) {
-                        let _e1405 = -(_e405);
-                        let _e1406 = (_e1405 / 3i);
-                        let _e1413 = bitcast<f32>((bitcast<u32>((_e1406 + 127i)) << bitcast<u32>(23i)));
-                        let _e1421 = (((_e1400.member.member * _e1413) * _e1413) * bitcast<f32>((bitcast<u32>(((_e1405 - (2i * _e1406)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1423 = select(340282350000000000000000000000000000000f, _e1421, (_e1421 < 340282350000000000000000000000000000000f));
-                        phi_2823_ = type_18(select(-340282350000000000000000000000000000000f, _e1423, (_e1423 > -340282350000000000000000000000000000000f)), _e1400.member.member_1, _e1400.member.member_2, _e1400.member.member_3);
+                    let _e1582 = local_10;
+                    if (_e1582.member.member_3 != 4294967295u) {
+                        let _e1587 = -(_e407);
+                        let _e1588 = (_e1587 / 3i);
+                        let _e1595 = bitcast<f32>((bitcast<u32>((_e1588 + 127i)) << bitcast<u32>(23i)));
+                        let _e1603 = (((_e1582.member.member * _e1595) * _e1595) * bitcast<f32>((bitcast<u32>(((_e1587 - (2i * _e1588)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1605 = select(340282350000000000000000000000000000000f, _e1603, (_e1603 < 340282350000000000000000000000000000000f));
+                        phi_3095_ = type_18(select(-340282350000000000000000000000000000000f, _e1605, (_e1605 > -340282350000000000000000000000000000000f)), _e1582.member.member_1, _e1582.member.member_2, _e1582.member.member_3);
                     } else {
-                        phi_2823_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3095_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1430 = phi_2823_;
-                    if _e126 {
+                    let _e1612 = phi_3095_;
+                    if _e128 {
                     } else {
                         break;
                     }
-                    global_5.member[_e124] = _e1430;
+                    global_5.member[_e126] = _e1612;
                 }
             }
             break;

@@ -99,374 +99,391 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_328_: i32;
-    var phi_329_: i32;
-    var phi_339_: bool;
-    var phi_349_: u32;
-    var phi_350_: u32;
-    var phi_352_: bool;
-    var phi_357_: u32;
-    var phi_369_: i32;
-    var phi_389_: i32;
-    var phi_407_: f32;
-    var phi_413_: f32;
-    var phi_424_: f32;
-    var phi_430_: f32;
-    var phi_453_: f32;
-    var phi_464_: f32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_2840_: bool;
-    var phi_771_: type_33;
-    var phi_774_: type_50;
-    var phi_776_: u32;
-    var phi_778_: bool;
-    var phi_780_: u32;
-    var phi_791_: bool;
-    var phi_877_: type_50;
-    var phi_878_: bool;
-    var phi_879_: u32;
-    var phi_1836_: type_37;
-    var phi_2668_: type_50;
-    var phi_2745_: type_50;
-    var phi_2746_: type_50;
-    var phi_2747_: u32;
-    var phi_2749_: type_50;
-    var phi_2750_: u32;
-    var phi_2751_: bool;
-    var phi_2758_: type_50;
-    var phi_2763_: type_50;
-    var phi_2764_: bool;
-    var phi_898_: type_33;
-    var phi_901_: type_4;
-    var phi_902_: type_4;
-    var phi_924_: type_4;
-    var phi_952_: u32;
-    var phi_968_: type_44;
-    var phi_1674_: vec3<f32>;
-    var phi_1675_: vec3<f32>;
-    var phi_1706_: bool;
-    var phi_1715_: vec3<f32>;
-    var phi_1755_: type_21;
-    var phi_1757_: type_21;
-    var phi_1758_: bool;
-    var phi_1762_: type_21;
-    var phi_1763_: type_21;
-    var phi_1764_: type_21;
-    var phi_1765_: bool;
-    var phi_1769_: type_21;
-    var phi_1770_: bool;
-    var phi_1774_: type_21;
-    var phi_1775_: bool;
-    var phi_1779_: type_21;
-    var phi_1804_: bool;
-    var phi_1805_: bool;
-    var phi_1812_: type_33;
-    var phi_1813_: type_33;
-    var phi_1814_: type_33;
-    var phi_899_: type_33;
-    var phi_2834_: bool;
-    var phi_2970_: bool;
-    var phi_2766_: type_33;
-    var phi_2767_: type_50;
-    var phi_2768_: bool;
-    var phi_2769_: u32;
-    var phi_2969_: bool;
-    var phi_2770_: type_33;
-    var phi_2771_: type_50;
-    var phi_2772_: u32;
-    var phi_2773_: bool;
-    var phi_2774_: u32;
-    var phi_2968_: bool;
-    var phi_2775_: type_33;
-    var phi_2776_: type_50;
-    var phi_2777_: u32;
-    var phi_2778_: bool;
-    var phi_2779_: u32;
-    var phi_2967_: bool;
-    var phi_772_: type_33;
-    var phi_775_: type_50;
-    var phi_777_: u32;
-    var phi_779_: bool;
+    var phi_333_: i32;
+    var phi_334_: i32;
+    var phi_344_: bool;
+    var phi_354_: u32;
+    var phi_355_: u32;
+    var phi_357_: bool;
+    var phi_362_: u32;
+    var phi_374_: i32;
+    var phi_394_: i32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
+    var phi_544_: f32;
+    var phi_550_: f32;
+    var phi_561_: f32;
+    var phi_567_: f32;
+    var phi_590_: f32;
+    var phi_601_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_3112_: bool;
+    var phi_776_: type_33;
+    var phi_779_: type_50;
     var phi_781_: u32;
-    var phi_2780_: bool;
-    var phi_2966_: bool;
+    var phi_783_: bool;
+    var phi_785_: u32;
+    var phi_796_: bool;
+    var phi_882_: type_50;
+    var phi_883_: bool;
+    var phi_884_: u32;
+    var phi_2108_: type_37;
+    var phi_2940_: type_50;
+    var phi_3017_: type_50;
+    var phi_3018_: type_50;
+    var phi_3019_: u32;
+    var phi_3021_: type_50;
+    var phi_3022_: u32;
+    var phi_3023_: bool;
+    var phi_3030_: type_50;
+    var phi_3035_: type_50;
+    var phi_3036_: bool;
+    var phi_903_: type_33;
+    var phi_906_: type_4;
+    var phi_907_: type_4;
+    var phi_929_: type_4;
+    var phi_957_: u32;
+    var phi_973_: type_44;
+    var phi_1349_: bool;
+    var phi_1378_: bool;
+    var phi_1755_: f32;
+    var phi_1756_: f32;
+    var phi_1757_: f32;
+    var phi_1758_: f32;
+    var phi_1759_: vec3<f32>;
+    var phi_1760_: vec3<f32>;
+    var phi_1761_: vec3<f32>;
+    var phi_1762_: vec3<f32>;
+    var phi_1793_: bool;
+    var phi_1802_: vec3<f32>;
+    var phi_1969_: bool;
+    var phi_1993_: f32;
+    var phi_1994_: f32;
+    var phi_2017_: type_21;
+    var phi_2019_: type_21;
+    var phi_2020_: bool;
+    var phi_2024_: type_21;
+    var phi_2025_: type_21;
+    var phi_2026_: type_21;
+    var phi_2027_: bool;
+    var phi_2031_: type_21;
+    var phi_2032_: bool;
+    var phi_2033_: type_21;
+    var phi_2034_: bool;
+    var phi_2035_: bool;
+    var phi_2036_: type_21;
+    var phi_2037_: bool;
+    var phi_2038_: bool;
+    var phi_2046_: type_21;
+    var phi_2047_: bool;
+    var phi_2051_: type_21;
+    var phi_2076_: bool;
+    var phi_2077_: bool;
+    var phi_2084_: type_33;
+    var phi_2085_: type_33;
+    var phi_2086_: type_33;
+    var phi_904_: type_33;
+    var phi_3106_: bool;
+    var phi_3270_: bool;
+    var phi_3038_: type_33;
+    var phi_3039_: type_50;
+    var phi_3040_: bool;
+    var phi_3041_: u32;
+    var phi_3269_: bool;
+    var phi_3042_: type_33;
+    var phi_3043_: type_50;
+    var phi_3044_: u32;
+    var phi_3045_: bool;
+    var phi_3046_: u32;
+    var phi_3268_: bool;
+    var phi_3047_: type_33;
+    var phi_3048_: type_50;
+    var phi_3049_: u32;
+    var phi_3050_: bool;
+    var phi_3051_: u32;
+    var phi_3267_: bool;
+    var phi_777_: type_33;
+    var phi_780_: type_50;
+    var phi_782_: u32;
+    var phi_784_: bool;
+    var phi_786_: u32;
+    var phi_3052_: bool;
+    var phi_3266_: bool;
     var local_10: type_33;
     var local_11: type_33;
     var local_12: type_33;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e72 = global;
-            let _e75 = arrayLength((&global_4.member));
-            let _e86 = global_2.member[0u][0u];
-            let _e90 = global_2.member[0u][1u];
-            let _e94 = global_2.member[0u][2u];
-            let _e98 = global_2.member[1u][0u];
-            let _e102 = global_2.member[1u][1u];
-            let _e106 = global_2.member[1u][2u];
-            let _e110 = global_2.member[1u][3u];
-            let _e113 = global_1.member[0u];
-            let _e114 = bitcast<i32>(_e113);
-            let _e124 = (_e72.x + (_e72.y * 2097152u));
-            let _e125 = (_e124 < arrayLength((&global_3.member)));
-            if _e125 {
-                let _e126 = (_e124 < arrayLength((&global_5.member)));
-                if _e126 {
-                    if _e125 {
+            let _e74 = global;
+            let _e77 = arrayLength((&global_4.member));
+            let _e88 = global_2.member[0u][0u];
+            let _e92 = global_2.member[0u][1u];
+            let _e96 = global_2.member[0u][2u];
+            let _e100 = global_2.member[1u][0u];
+            let _e104 = global_2.member[1u][1u];
+            let _e108 = global_2.member[1u][2u];
+            let _e112 = global_2.member[1u][3u];
+            let _e115 = global_1.member[0u];
+            let _e116 = bitcast<i32>(_e115);
+            let _e126 = (_e74.x + (_e74.y * 2097152u));
+            let _e127 = (_e126 < arrayLength((&global_3.member)));
+            if _e127 {
+                let _e128 = (_e126 < arrayLength((&global_5.member)));
+                if _e128 {
+                    if _e127 {
                     } else {
                         break;
                     }
-                    let _e134 = global_3.member[_e124].member_2[0u];
-                    let _e136 = (bitcast<u32>(_e134) & 2147483647u);
-                    let _e141 = global_3.member[_e124].member_2[1u];
-                    let _e143 = (bitcast<u32>(_e141) & 2147483647u);
-                    let _e148 = global_3.member[_e124].member_2[2u];
-                    let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                    let _e155 = global_3.member[_e124].member[0u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e124].member[1u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e124].member[2u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e173 = select(_e143, _e136, (_e143 < _e136));
-                    let _e175 = select(_e150, _e173, (_e150 < _e173));
-                    let _e177 = select(_e157, _e175, (_e157 < _e175));
-                    let _e179 = select(_e164, _e177, (_e164 < _e177));
-                    let _e181 = select(_e171, _e179, (_e171 < _e179));
-                    let _e185 = global_3.member[_e124].member_1;
-                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
-                    let _e194 = global_3.member[_e124].member_3;
-                    let _e200 = (((select(_e187, _e181, (_e187 < _e181)) < 2139095040u) && ((bitcast<u32>(_e194) & 2147483647u) <= 2139095040u)) && (_e175 > 0u));
-                    if _e200 {
-                        let _e203 = (bitcast<u32>(bitcast<f32>(_e175)) & 2147483647u);
-                        if (_e203 >= 8388608u) {
-                            phi_328_ = (bitcast<i32>((_e203 >> bitcast<u32>(23i))) - 127i);
+                    let _e136 = global_3.member[_e126].member_2[0u];
+                    let _e138 = (bitcast<u32>(_e136) & 2147483647u);
+                    let _e143 = global_3.member[_e126].member_2[1u];
+                    let _e145 = (bitcast<u32>(_e143) & 2147483647u);
+                    let _e150 = global_3.member[_e126].member_2[2u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_3.member[_e126].member[0u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_3.member[_e126].member[1u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_3.member[_e126].member[2u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e175 = select(_e145, _e138, (_e145 < _e138));
+                    let _e177 = select(_e152, _e175, (_e152 < _e175));
+                    let _e179 = select(_e159, _e177, (_e159 < _e177));
+                    let _e181 = select(_e166, _e179, (_e166 < _e179));
+                    let _e183 = select(_e173, _e181, (_e173 < _e181));
+                    let _e187 = global_3.member[_e126].member_1;
+                    let _e189 = (bitcast<u32>(_e187) & 2147483647u);
+                    let _e196 = global_3.member[_e126].member_3;
+                    let _e202 = (((select(_e189, _e183, (_e189 < _e183)) < 2139095040u) && ((bitcast<u32>(_e196) & 2147483647u) <= 2139095040u)) && (_e177 > 0u));
+                    if _e202 {
+                        let _e205 = (bitcast<u32>(bitcast<f32>(_e177)) & 2147483647u);
+                        if (_e205 >= 8388608u) {
+                            phi_333_ = (bitcast<i32>((_e205 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e203)), 32u, (_e203 == 0u))));
+                            phi_333_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e205)), 32u, (_e205 == 0u))));
                         }
-                        let _e217 = phi_328_;
-                        phi_329_ = _e217;
+                        let _e219 = phi_333_;
+                        phi_334_ = _e219;
                     } else {
-                        phi_329_ = 0i;
+                        phi_334_ = 0i;
                     }
-                    let _e219 = phi_329_;
-                    let _e220 = (_e136 == _e175);
-                    if _e220 {
-                        phi_339_ = true;
+                    let _e221 = phi_334_;
+                    let _e222 = (_e138 == _e177);
+                    if _e222 {
+                        phi_344_ = true;
                     } else {
-                        phi_339_ = (_e143 == _e175);
+                        phi_344_ = (_e145 == _e177);
                     }
-                    let _e223 = phi_339_;
-                    let _e224 = select(1u, 0u, _e220);
-                    if _e223 {
-                        let _e225 = (_e224 + 1u);
-                        phi_349_ = _e225;
-                        phi_350_ = _e225;
-                        phi_352_ = select(true, false, (_e225 == 2u));
+                    let _e225 = phi_344_;
+                    let _e226 = select(1u, 0u, _e222);
+                    if _e225 {
+                        let _e227 = (_e226 + 1u);
+                        phi_354_ = _e227;
+                        phi_355_ = _e227;
+                        phi_357_ = select(true, false, (_e227 == 2u));
                     } else {
-                        phi_349_ = u32();
-                        phi_350_ = 0u;
-                        phi_352_ = true;
+                        phi_354_ = u32();
+                        phi_355_ = 0u;
+                        phi_357_ = true;
                     }
-                    let _e229 = phi_349_;
-                    let _e231 = phi_350_;
-                    let _e233 = phi_352_;
-                    if _e233 {
-                        phi_357_ = (_e231 + 1u);
+                    let _e231 = phi_354_;
+                    let _e233 = phi_355_;
+                    let _e235 = phi_357_;
+                    if _e235 {
+                        phi_362_ = (_e233 + 1u);
                     } else {
-                        phi_357_ = 0u;
+                        phi_362_ = 0u;
                     }
-                    let _e237 = phi_357_;
-                    let _e238 = select(_e229, _e231, _e233);
-                    let _e239 = select(_e224, select(2u, _e224, _e223), _e233);
-                    if (_e114 < -126i) {
-                        phi_369_ = -126i;
+                    let _e239 = phi_362_;
+                    let _e240 = select(_e231, _e233, _e235);
+                    let _e241 = select(_e226, select(2u, _e226, _e225), _e235);
+                    if (_e116 < -126i) {
+                        phi_374_ = -126i;
                     } else {
-                        phi_369_ = select(_e114, 127i, (_e114 > 127i));
+                        phi_374_ = select(_e116, 127i, (_e116 > 127i));
                     }
-                    let _e244 = phi_369_;
-                    let _e249 = bitcast<f32>((bitcast<u32>((_e244 + 127i)) << bitcast<u32>(23i)));
-                    let _e255 = bitcast<f32>((bitcast<u32>(((_e114 - _e244) + 127i)) << bitcast<u32>(23i)));
-                    let _e256 = -(_e219);
-                    if (_e256 < -126i) {
-                        phi_389_ = -126i;
+                    let _e246 = phi_374_;
+                    let _e251 = bitcast<f32>((bitcast<u32>((_e246 + 127i)) << bitcast<u32>(23i)));
+                    let _e257 = bitcast<f32>((bitcast<u32>(((_e116 - _e246) + 127i)) << bitcast<u32>(23i)));
+                    let _e258 = -(_e221);
+                    if (_e258 < -126i) {
+                        phi_394_ = -126i;
                     } else {
-                        phi_389_ = select(_e256, 127i, (_e256 > 127i));
+                        phi_394_ = select(_e258, 127i, (_e258 > 127i));
                     }
-                    let _e261 = phi_389_;
-                    let _e266 = bitcast<f32>((bitcast<u32>((_e261 + 127i)) << bitcast<u32>(23i)));
-                    let _e272 = bitcast<f32>((bitcast<u32>(((_e256 - _e261) + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = global_3.member[_e124].member;
-                    let _e277 = (_e238 == 0u);
-                    if _e277 {
-                        phi_407_ = _e276[0];
+                    let _e263 = phi_394_;
+                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
+                    let _e274 = bitcast<f32>((bitcast<u32>(((_e258 - _e263) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = global_3.member[_e126].member;
+                    let _e279 = (_e240 == 0u);
+                    if _e279 {
+                        phi_412_ = _e278[0];
                     } else {
-                        phi_407_ = _e276[1];
+                        phi_412_ = _e278[1];
                     }
-                    let _e281 = phi_407_;
-                    let _e282 = (_e238 == 2u);
-                    if _e282 {
-                        phi_413_ = _e276[2];
+                    let _e283 = phi_412_;
+                    let _e284 = (_e240 == 2u);
+                    if _e284 {
+                        phi_418_ = _e278[2];
                     } else {
-                        phi_413_ = _e281;
+                        phi_418_ = _e283;
                     }
-                    let _e285 = phi_413_;
-                    let _e287 = ((_e285 * _e249) * _e255);
-                    let _e288 = global_3.member[_e124].member_2;
-                    if _e277 {
-                        phi_424_ = _e288[0];
+                    let _e287 = phi_418_;
+                    let _e289 = ((_e287 * _e251) * _e257);
+                    let _e290 = global_3.member[_e126].member_2;
+                    if _e279 {
+                        phi_429_ = _e290[0];
                     } else {
-                        phi_424_ = _e288[1];
+                        phi_429_ = _e290[1];
                     }
-                    let _e292 = phi_424_;
-                    if _e282 {
-                        phi_430_ = _e288[2];
+                    let _e294 = phi_429_;
+                    if _e284 {
+                        phi_435_ = _e290[2];
                     } else {
-                        phi_430_ = _e292;
+                        phi_435_ = _e294;
                     }
-                    let _e295 = phi_430_;
-                    let _e297 = ((_e295 * _e266) * _e272);
-                    let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e301 {
-                        let _e305 = (bitcast<f32>((bitcast<u32>(_e287) & 2147483647u)) * 0.00000011920929f);
-                        phi_453_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
+                    let _e297 = phi_435_;
+                    let _e299 = ((_e297 * _e268) * _e274);
+                    let _e303 = (bitcast<f32>((bitcast<u32>(_e299) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e303 {
+                        let _e307 = (bitcast<f32>((bitcast<u32>(_e289) & 2147483647u)) * 0.00000011920929f);
+                        phi_458_ = select(0.00000000000011368684f, _e307, (_e307 > 0.00000000000011368684f));
                     } else {
-                        phi_453_ = 0f;
+                        phi_458_ = 0f;
                     }
-                    let _e309 = phi_453_;
-                    let _e310 = (_e287 + _e309);
-                    let _e311 = (_e287 - _e309);
-                    let _e312 = select(_e297, 0f, _e301);
-                    if _e301 {
-                        phi_464_ = 38685626000000000000000000f;
+                    let _e311 = phi_458_;
+                    let _e312 = (_e289 + _e311);
+                    let _e313 = (_e289 - _e311);
+                    let _e314 = select(_e299, 0f, _e303);
+                    if _e303 {
+                        phi_469_ = 38685626000000000000000000f;
                     } else {
-                        phi_464_ = (1f / _e297);
+                        phi_469_ = (1f / _e299);
                     }
-                    let _e315 = phi_464_;
-                    let _e316 = (_e237 == 0u);
-                    if _e316 {
-                        phi_473_ = _e276[0];
+                    let _e317 = phi_469_;
+                    let _e318 = (_e239 == 0u);
+                    if _e318 {
+                        phi_478_ = _e278[0];
                     } else {
-                        phi_473_ = _e276[1];
+                        phi_478_ = _e278[1];
                     }
-                    let _e320 = phi_473_;
-                    let _e321 = (_e237 == 2u);
-                    if _e321 {
-                        phi_479_ = _e276[2];
+                    let _e322 = phi_478_;
+                    let _e323 = (_e239 == 2u);
+                    if _e323 {
+                        phi_484_ = _e278[2];
                     } else {
-                        phi_479_ = _e320;
+                        phi_484_ = _e322;
                     }
-                    let _e324 = phi_479_;
-                    let _e326 = ((_e324 * _e249) * _e255);
-                    if _e316 {
-                        phi_490_ = _e288[0];
+                    let _e326 = phi_484_;
+                    let _e328 = ((_e326 * _e251) * _e257);
+                    if _e318 {
+                        phi_495_ = _e290[0];
                     } else {
-                        phi_490_ = _e288[1];
+                        phi_495_ = _e290[1];
                     }
-                    let _e330 = phi_490_;
-                    if _e321 {
-                        phi_496_ = _e288[2];
+                    let _e332 = phi_495_;
+                    if _e323 {
+                        phi_501_ = _e290[2];
                     } else {
-                        phi_496_ = _e330;
+                        phi_501_ = _e332;
                     }
-                    let _e333 = phi_496_;
-                    let _e335 = ((_e333 * _e266) * _e272);
-                    let _e339 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e339 {
-                        let _e343 = (bitcast<f32>((bitcast<u32>(_e326) & 2147483647u)) * 0.00000011920929f);
-                        phi_519_ = select(0.00000000000011368684f, _e343, (_e343 > 0.00000000000011368684f));
+                    let _e335 = phi_501_;
+                    let _e337 = ((_e335 * _e268) * _e274);
+                    let _e341 = (bitcast<f32>((bitcast<u32>(_e337) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e341 {
+                        let _e345 = (bitcast<f32>((bitcast<u32>(_e328) & 2147483647u)) * 0.00000011920929f);
+                        phi_524_ = select(0.00000000000011368684f, _e345, (_e345 > 0.00000000000011368684f));
                     } else {
-                        phi_519_ = 0f;
+                        phi_524_ = 0f;
                     }
-                    let _e347 = phi_519_;
-                    let _e348 = (_e326 + _e347);
-                    let _e349 = (_e326 - _e347);
-                    let _e350 = select(_e335, 0f, _e339);
-                    if _e339 {
-                        phi_530_ = 38685626000000000000000000f;
+                    let _e349 = phi_524_;
+                    let _e350 = (_e328 + _e349);
+                    let _e351 = (_e328 - _e349);
+                    let _e352 = select(_e337, 0f, _e341);
+                    if _e341 {
+                        phi_535_ = 38685626000000000000000000f;
                     } else {
-                        phi_530_ = (1f / _e335);
+                        phi_535_ = (1f / _e337);
                     }
-                    let _e353 = phi_530_;
-                    let _e354 = (_e239 == 0u);
-                    if _e354 {
-                        phi_539_ = _e276[0];
+                    let _e355 = phi_535_;
+                    let _e356 = (_e241 == 0u);
+                    if _e356 {
+                        phi_544_ = _e278[0];
                     } else {
-                        phi_539_ = _e276[1];
+                        phi_544_ = _e278[1];
                     }
-                    let _e358 = phi_539_;
-                    let _e359 = (_e239 == 2u);
-                    if _e359 {
-                        phi_545_ = _e276[2];
+                    let _e360 = phi_544_;
+                    let _e361 = (_e241 == 2u);
+                    if _e361 {
+                        phi_550_ = _e278[2];
                     } else {
-                        phi_545_ = _e358;
+                        phi_550_ = _e360;
                     }
-                    let _e362 = phi_545_;
-                    let _e364 = ((_e362 * _e249) * _e255);
-                    if _e354 {
-                        phi_556_ = _e288[0];
+                    let _e364 = phi_550_;
+                    let _e366 = ((_e364 * _e251) * _e257);
+                    if _e356 {
+                        phi_561_ = _e290[0];
                     } else {
-                        phi_556_ = _e288[1];
+                        phi_561_ = _e290[1];
                     }
-                    let _e368 = phi_556_;
-                    if _e359 {
-                        phi_562_ = _e288[2];
+                    let _e370 = phi_561_;
+                    if _e361 {
+                        phi_567_ = _e290[2];
                     } else {
-                        phi_562_ = _e368;
+                        phi_567_ = _e370;
                     }
-                    let _e371 = phi_562_;
-                    let _e373 = ((_e371 * _e266) * _e272);
-                    let _e377 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e377 {
-                        let _e381 = (bitcast<f32>((bitcast<u32>(_e364) & 2147483647u)) * 0.00000011920929f);
-                        phi_585_ = select(0.00000000000011368684f, _e381, (_e381 > 0.00000000000011368684f));
+                    let _e373 = phi_567_;
+                    let _e375 = ((_e373 * _e268) * _e274);
+                    let _e379 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e379 {
+                        let _e383 = (bitcast<f32>((bitcast<u32>(_e366) & 2147483647u)) * 0.00000011920929f);
+                        phi_590_ = select(0.00000000000011368684f, _e383, (_e383 > 0.00000000000011368684f));
                     } else {
-                        phi_585_ = 0f;
+                        phi_590_ = 0f;
                     }
-                    let _e385 = phi_585_;
-                    let _e386 = (_e364 + _e385);
-                    let _e387 = (_e364 - _e385);
-                    let _e388 = select(_e373, 0f, _e377);
-                    if _e377 {
-                        phi_596_ = 38685626000000000000000000f;
+                    let _e387 = phi_590_;
+                    let _e388 = (_e366 + _e387);
+                    let _e389 = (_e366 - _e387);
+                    let _e390 = select(_e375, 0f, _e379);
+                    if _e379 {
+                        phi_601_ = 38685626000000000000000000f;
                     } else {
-                        phi_596_ = (1f / _e373);
+                        phi_601_ = (1f / _e375);
                     }
-                    let _e391 = phi_596_;
-                    let _e394 = bitcast<f32>((bitcast<u32>(_e287) & 2147483647u));
-                    let _e397 = bitcast<f32>((bitcast<u32>(_e326) & 2147483647u));
-                    let _e399 = select(_e397, _e394, (_e394 > _e397));
-                    let _e402 = bitcast<f32>((bitcast<u32>(_e364) & 2147483647u));
-                    let _e405 = (_e114 + _e219);
-                    if (_e200 && (select(_e402, _e399, (_e399 > _e402)) <= 1099511600000f)) {
-                        let _e408 = (_e405 / 3i);
-                        let _e415 = bitcast<f32>((bitcast<u32>((_e408 + 127i)) << bitcast<u32>(23i)));
-                        let _e422 = bitcast<f32>((bitcast<u32>(((_e405 - (2i * _e408)) + 127i)) << bitcast<u32>(23i)));
-                        let _e423 = (((_e185 * _e415) * _e415) * _e422);
-                        let _e425 = select(340282350000000000000000000000000000000f, _e423, (_e423 < 340282350000000000000000000000000000000f));
-                        let _e430 = (((_e194 * _e415) * _e415) * _e422);
-                        let _e432 = select(340282350000000000000000000000000000000f, _e430, (_e430 < 340282350000000000000000000000000000000f));
-                        phi_696_ = select(-340282350000000000000000000000000000000f, _e432, (_e432 > -340282350000000000000000000000000000000f));
-                        phi_697_ = select(-340282350000000000000000000000000000000f, _e425, (_e425 > -340282350000000000000000000000000000000f));
+                    let _e393 = phi_601_;
+                    let _e396 = bitcast<f32>((bitcast<u32>(_e289) & 2147483647u));
+                    let _e399 = bitcast<f32>((bitcast<u32>(_e328) & 2147483647u));
+                    let _e401 = select(_e399, _e396, (_e396 > _e399));
+                    let _e404 = bitcast<f32>((bitcast<u32>(_e366) & 2147483647u));
+                    let _e407 = (_e116 + _e221);
+                    if (_e202 && (select(_e404, _e401, (_e401 > _e404)) <= 1099511600000f)) {
+                        let _e410 = (_e407 / 3i);
+                        let _e417 = bitcast<f32>((bitcast<u32>((_e410 + 127i)) << bitcast<u32>(23i)));
+                        let _e424 = bitcast<f32>((bitcast<u32>(((_e407 - (2i * _e410)) + 127i)) << bitcast<u32>(23i)));
+                        let _e425 = (((_e187 * _e417) * _e417) * _e424);
+                        let _e427 = select(340282350000000000000000000000000000000f, _e425, (_e425 < 340282350000000000000000000000000000000f));
+                        let _e432 = (((_e196 * _e417) * _e417) * _e424);
+                        let _e434 = select(340282350000000000000000000000000000000f, _e432, (_e432 < 340282350000000000000000000000000000000f));
+                        phi_701_ = select(-340282350000000000000000000000000000000f, _e434, (_e434 > -340282350000000000000000000000000000000f));
+                        phi_702_ = select(-340282350000000000000000000000000000000f, _e427, (_e427 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_696_ = 0f;
-                        phi_697_ = 1f;
+                        phi_701_ = 0f;
+                        phi_702_ = 1f;
                     }
-                    let _e436 = phi_696_;
-                    let _e438 = phi_697_;
+                    let _e438 = phi_701_;
+                    let _e440 = phi_702_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -475,725 +492,833 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e86), bitcast<f32>(_e90), bitcast<f32>(_e94));
-                    let _e444 = (_e238 % 3u);
-                    let _e445 = (_e444 < 3u);
-                    if _e445 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e88), bitcast<f32>(_e92), bitcast<f32>(_e96));
+                    let _e446 = (_e240 % 3u);
+                    let _e447 = (_e446 < 3u);
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e447 = local_9[_e444];
-                    let _e448 = (_e237 % 3u);
-                    let _e449 = (_e448 < 3u);
-                    if _e449 {
+                    let _e449 = local_9[_e446];
+                    let _e450 = (_e239 % 3u);
+                    let _e451 = (_e450 < 3u);
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e451 = local_9[_e448];
-                    let _e452 = (_e239 % 3u);
-                    let _e453 = (_e452 < 3u);
-                    if _e453 {
+                    let _e453 = local_9[_e450];
+                    let _e454 = (_e241 % 3u);
+                    let _e455 = (_e454 < 3u);
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e455 = local_9[_e452];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e98), bitcast<f32>(_e102), bitcast<f32>(_e106));
-                    if _e445 {
+                    let _e457 = local_9[_e454];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e100), bitcast<f32>(_e104), bitcast<f32>(_e108));
+                    if _e447 {
                     } else {
                         break;
                     }
-                    let _e459 = local_8[_e444];
-                    if _e449 {
+                    let _e461 = local_8[_e446];
+                    if _e451 {
                     } else {
                         break;
                     }
-                    let _e461 = local_8[_e448];
-                    if _e453 {
+                    let _e463 = local_8[_e450];
+                    if _e455 {
                     } else {
                         break;
                     }
-                    let _e463 = local_8[_e452];
-                    phi_2840_ = false;
-                    phi_771_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e436), 0u, 0u);
-                    phi_774_ = type_50(type_42(array<f32, 3>(_e447, _e451, _e455), array<f32, 3>(_e459, _e461, _e463)), select(0u, 2147483648u, (_e75 == 0u)));
-                    phi_776_ = ((3u * _e75) + 1u);
-                    phi_778_ = (_e438 <= _e436);
-                    phi_780_ = 0u;
+                    let _e465 = local_8[_e454];
+                    phi_3112_ = false;
+                    phi_776_ = type_33(type_28(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e438), 0u, 0u);
+                    phi_779_ = type_50(type_42(array<f32, 3>(_e449, _e453, _e457), array<f32, 3>(_e461, _e463, _e465)), select(0u, 2147483648u, (_e77 == 0u)));
+                    phi_781_ = ((3u * _e77) + 1u);
+                    phi_783_ = (_e440 <= _e438);
+                    phi_785_ = 0u;
                     loop {
-                        let _e471 = phi_2840_;
-                        let _e473 = phi_771_;
-                        let _e475 = phi_774_;
-                        let _e477 = phi_776_;
-                        let _e479 = phi_778_;
-                        let _e481 = phi_780_;
-                        local_10 = _e473;
-                        local_11 = _e473;
-                        if _e479 {
-                            phi_791_ = true;
+                        let _e473 = phi_3112_;
+                        let _e475 = phi_776_;
+                        let _e477 = phi_779_;
+                        let _e479 = phi_781_;
+                        let _e481 = phi_783_;
+                        let _e483 = phi_785_;
+                        local_10 = _e475;
+                        local_11 = _e475;
+                        if _e481 {
+                            phi_796_ = true;
                         } else {
-                            phi_791_ = (_e481 > 0u);
+                            phi_796_ = (_e483 > 0u);
                         }
-                        let _e484 = phi_791_;
-                        if _e484 {
-                            let _e485 = (_e477 > 0u);
-                            if _e485 {
-                                if _e479 {
-                                    phi_877_ = _e475;
-                                    phi_878_ = _e479;
-                                    phi_879_ = _e481;
+                        let _e486 = phi_796_;
+                        if _e486 {
+                            let _e487 = (_e479 > 0u);
+                            if _e487 {
+                                if _e481 {
+                                    phi_882_ = _e477;
+                                    phi_883_ = _e481;
+                                    phi_884_ = _e483;
                                 } else {
-                                    let _e486 = (_e481 - 1u);
-                                    let _e487 = (_e486 % 128u);
-                                    let _e488 = (_e487 < 128u);
-                                    if _e488 {
+                                    let _e488 = (_e483 - 1u);
+                                    let _e489 = (_e488 % 128u);
+                                    let _e490 = (_e489 < 128u);
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e490 = local_6[_e487];
-                                    if _e488 {
+                                    let _e492 = local_6[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e492 = local_5[_e487];
-                                    if _e488 {
+                                    let _e494 = local_5[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e494 = local_4[_e487];
-                                    if _e488 {
+                                    let _e496 = local_4[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e496 = local_3[_e487];
-                                    if _e488 {
+                                    let _e498 = local_3[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e499 = local_2[_e487];
-                                    if _e488 {
+                                    let _e501 = local_2[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e501 = local_1[_e487];
-                                    if _e488 {
+                                    let _e503 = local_1[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e503 = local[_e487];
-                                    if _e488 {
+                                    let _e505 = local[_e489];
+                                    if _e490 {
                                     } else {
-                                        phi_2966_ = true;
+                                        phi_3266_ = true;
                                         break;
                                     }
-                                    let _e508 = local_7[_e487];
-                                    phi_877_ = type_50(type_42(array<f32, 3>(_e492, _e494, _e496), array<f32, 3>(_e499, _e501, _e503)), _e490);
-                                    phi_878_ = (_e508 <= _e473.member.member_1);
-                                    phi_879_ = _e486;
+                                    let _e510 = local_7[_e489];
+                                    phi_882_ = type_50(type_42(array<f32, 3>(_e494, _e496, _e498), array<f32, 3>(_e501, _e503, _e505)), _e492);
+                                    phi_883_ = (_e510 <= _e475.member.member_1);
+                                    phi_884_ = _e488;
                                 }
-                                let _e513 = phi_877_;
-                                let _e515 = phi_878_;
-                                let _e517 = phi_879_;
-                                if _e515 {
-                                    if ((_e513.member_1 & 2147483648u) != 0u) {
-                                        phi_898_ = _e473;
-                                        phi_901_ = type_4(0u, ((_e513.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e515 = phi_882_;
+                                let _e517 = phi_883_;
+                                let _e519 = phi_884_;
+                                if _e517 {
+                                    if ((_e515.member_1 & 2147483648u) != 0u) {
+                                        phi_903_ = _e475;
+                                        phi_906_ = type_4(0u, ((_e515.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e877 = phi_898_;
-                                            let _e879 = phi_901_;
-                                            local_12 = _e877;
-                                            if (_e879.member < _e879.member_1) {
-                                                phi_902_ = type_4((_e879.member + 1u), _e879.member_1);
-                                                phi_924_ = type_4(1u, _e879.member);
+                                            let _e879 = phi_903_;
+                                            let _e881 = phi_906_;
+                                            local_12 = _e879;
+                                            if (_e881.member < _e881.member_1) {
+                                                phi_907_ = type_4((_e881.member + 1u), _e881.member_1);
+                                                phi_929_ = type_4(1u, _e881.member);
                                             } else {
-                                                phi_902_ = _e879;
-                                                phi_924_ = type_4(0u, type_4().member_1);
+                                                phi_907_ = _e881;
+                                                phi_929_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e892 = phi_902_;
-                                            let _e894 = phi_924_;
-                                            let _e898 = (bitcast<i32>(_e894.member) != 0i);
-                                            if _e898 {
-                                                let _e904 = type_33(_e877.member, _e877.member_1, (_e877.member_2 + 1u));
-                                                let _e905 = ((_e513.member_1 & 268435455u) + _e894.member_1);
-                                                let _e906 = (_e905 < arrayLength((&global_6.member)));
-                                                if _e906 {
-                                                    if _e906 {
+                                            let _e894 = phi_907_;
+                                            let _e896 = phi_929_;
+                                            let _e900 = (bitcast<i32>(_e896.member) != 0i);
+                                            if _e900 {
+                                                let _e906 = type_33(_e879.member, _e879.member_1, (_e879.member_2 + 1u));
+                                                let _e907 = ((_e515.member_1 & 268435455u) + _e896.member_1);
+                                                let _e908 = (_e907 < arrayLength((&global_6.member)));
+                                                if _e908 {
+                                                    if _e908 {
                                                     } else {
-                                                        phi_2834_ = true;
+                                                        phi_3106_ = true;
                                                         break;
                                                     }
-                                                    let _e909 = global_6.member[_e905].member_1;
-                                                    phi_952_ = _e909;
+                                                    let _e911 = global_6.member[_e907].member_1;
+                                                    phi_957_ = _e911;
                                                 } else {
-                                                    phi_952_ = 4294967295u;
+                                                    phi_957_ = 4294967295u;
                                                 }
-                                                let _e911 = phi_952_;
-                                                if _e906 {
-                                                    if _e906 {
+                                                let _e913 = phi_957_;
+                                                if _e908 {
+                                                    if _e908 {
                                                     } else {
-                                                        phi_2834_ = true;
+                                                        phi_3106_ = true;
                                                         break;
                                                     }
-                                                    let _e913 = global_6.member[_e905];
-                                                    phi_968_ = _e913;
+                                                    let _e915 = global_6.member[_e907];
+                                                    phi_973_ = _e915;
                                                 } else {
-                                                    phi_968_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_973_ = type_44(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e915 = phi_968_;
-                                                let _e927 = ((10u * _e238) & 31u);
-                                                let _e930 = ((_e915.member[0] >> bitcast<u32>(_e927)) & 1023u);
-                                                let _e935 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e110));
-                                                let _e941 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e930) * _e935)) ^ _e110)));
-                                                let _e945 = select(select(_e513.member.member_1[0], _e941, (_e941 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e930 == 1023u));
-                                                let _e947 = ((10u * _e237) & 31u);
-                                                let _e950 = ((_e915.member[0] >> bitcast<u32>(_e947)) & 1023u);
-                                                let _e955 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e110));
-                                                let _e961 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e950) * _e955)) ^ _e110)));
-                                                let _e965 = select(select(_e513.member.member_1[1], _e961, (_e961 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e950 == 1023u));
-                                                let _e967 = ((10u * _e239) & 31u);
-                                                let _e970 = ((_e915.member[0] >> bitcast<u32>(_e967)) & 1023u);
-                                                let _e975 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e110));
-                                                let _e981 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e970) * _e975)) ^ _e110)));
-                                                let _e985 = select(select(_e513.member.member_1[2], _e981, (_e981 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e970 == 1023u));
-                                                let _e989 = ((_e915.member[1] >> bitcast<u32>(_e927)) & 1023u);
-                                                let _e995 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e989) * _e935)) ^ _e110)));
-                                                let _e999 = select(select(_e513.member.member_1[0], _e995, (_e995 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e989 == 1023u));
-                                                let _e1002 = ((_e915.member[1] >> bitcast<u32>(_e947)) & 1023u);
-                                                let _e1008 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1002) * _e955)) ^ _e110)));
-                                                let _e1012 = select(select(_e513.member.member_1[1], _e1008, (_e1008 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1002 == 1023u));
-                                                let _e1015 = ((_e915.member[1] >> bitcast<u32>(_e967)) & 1023u);
-                                                let _e1021 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1015) * _e975)) ^ _e110)));
-                                                let _e1025 = select(select(_e513.member.member_1[2], _e1021, (_e1021 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1015 == 1023u));
-                                                let _e1029 = ((_e915.member[2] >> bitcast<u32>(_e927)) & 1023u);
-                                                let _e1035 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1029) * _e935)) ^ _e110)));
-                                                let _e1039 = select(select(_e513.member.member_1[0], _e1035, (_e1035 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e1029 == 1023u));
-                                                let _e1042 = ((_e915.member[2] >> bitcast<u32>(_e947)) & 1023u);
-                                                let _e1048 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1042) * _e955)) ^ _e110)));
-                                                let _e1052 = select(select(_e513.member.member_1[1], _e1048, (_e1048 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e1042 == 1023u));
-                                                let _e1055 = ((_e915.member[2] >> bitcast<u32>(_e967)) & 1023u);
-                                                let _e1061 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1055) * _e975)) ^ _e110)));
-                                                let _e1065 = select(select(_e513.member.member_1[2], _e1061, (_e1061 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e1055 == 1023u));
-                                                let _e1070 = (_e985 - _e364);
-                                                let _e1073 = (((_e945 - _e287) * _e388) - (_e1070 * _e312));
-                                                let _e1076 = (((_e965 - _e326) * _e388) - (_e1070 * _e350));
-                                                let _e1079 = (_e1025 - _e364);
-                                                let _e1082 = (((_e999 - _e287) * _e388) - (_e1079 * _e312));
-                                                let _e1085 = (((_e1012 - _e326) * _e388) - (_e1079 * _e350));
-                                                let _e1088 = (_e1065 - _e364);
-                                                let _e1091 = (((_e1039 - _e287) * _e388) - (_e1088 * _e312));
-                                                let _e1094 = (((_e1052 - _e326) * _e388) - (_e1088 * _e350));
-                                                let _e1095 = (_e1091 * _e1085);
-                                                let _e1096 = (_e1094 * _e1082);
-                                                let _e1097 = (_e1073 * _e1094);
-                                                let _e1098 = (_e1076 * _e1091);
-                                                let _e1099 = (_e1082 * _e1076);
-                                                let _e1100 = (_e1085 * _e1073);
-                                                let _e1105 = (((_e1095 >= _e1096) && (_e1097 >= _e1098)) && (_e1099 >= _e1100));
-                                                if (_e1105 || (((_e1095 <= _e1096) && (_e1097 <= _e1098)) && (_e1099 <= _e1100))) {
-                                                    let _e1112 = select(-1f, 1f, _e1105);
-                                                    let _e1114 = ((_e1095 - _e1096) * _e1112);
-                                                    let _e1116 = select(0f, _e1114, (_e1114 > 0f));
-                                                    let _e1118 = ((_e1097 - _e1098) * _e1112);
-                                                    let _e1120 = select(0f, _e1118, (_e1118 > 0f));
-                                                    let _e1122 = ((_e1099 - _e1100) * _e1112);
-                                                    let _e1124 = select(0f, _e1122, (_e1122 > 0f));
-                                                    let _e1126 = ((_e1116 + _e1120) + _e1124);
-                                                    if (_e1126 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1769_ = type_21();
-                                                        phi_1770_ = true;
+                                                let _e917 = phi_973_;
+                                                let _e929 = ((10u * _e240) & 31u);
+                                                let _e932 = ((_e917.member[0] >> bitcast<u32>(_e929)) & 1023u);
+                                                let _e937 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e112));
+                                                let _e943 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e932) * _e937)) ^ _e112)));
+                                                let _e947 = select(select(_e515.member.member_1[0], _e943, (_e943 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e932 == 1023u));
+                                                let _e949 = ((10u * _e239) & 31u);
+                                                let _e952 = ((_e917.member[0] >> bitcast<u32>(_e949)) & 1023u);
+                                                let _e957 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e112));
+                                                let _e963 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e952) * _e957)) ^ _e112)));
+                                                let _e967 = select(select(_e515.member.member_1[1], _e963, (_e963 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e952 == 1023u));
+                                                let _e969 = ((10u * _e241) & 31u);
+                                                let _e972 = ((_e917.member[0] >> bitcast<u32>(_e969)) & 1023u);
+                                                let _e977 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e112));
+                                                let _e983 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e972) * _e977)) ^ _e112)));
+                                                let _e987 = select(select(_e515.member.member_1[2], _e983, (_e983 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e972 == 1023u));
+                                                let _e991 = ((_e917.member[1] >> bitcast<u32>(_e929)) & 1023u);
+                                                let _e997 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e991) * _e937)) ^ _e112)));
+                                                let _e1001 = select(select(_e515.member.member_1[0], _e997, (_e997 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e991 == 1023u));
+                                                let _e1004 = ((_e917.member[1] >> bitcast<u32>(_e949)) & 1023u);
+                                                let _e1010 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1004) * _e957)) ^ _e112)));
+                                                let _e1014 = select(select(_e515.member.member_1[1], _e1010, (_e1010 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e1004 == 1023u));
+                                                let _e1017 = ((_e917.member[1] >> bitcast<u32>(_e969)) & 1023u);
+                                                let _e1023 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1017) * _e977)) ^ _e112)));
+                                                let _e1027 = select(select(_e515.member.member_1[2], _e1023, (_e1023 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e1017 == 1023u));
+                                                let _e1031 = ((_e917.member[2] >> bitcast<u32>(_e929)) & 1023u);
+                                                let _e1037 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1031) * _e937)) ^ _e112)));
+                                                let _e1041 = select(select(_e515.member.member_1[0], _e1037, (_e1037 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e1031 == 1023u));
+                                                let _e1044 = ((_e917.member[2] >> bitcast<u32>(_e949)) & 1023u);
+                                                let _e1050 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1044) * _e957)) ^ _e112)));
+                                                let _e1054 = select(select(_e515.member.member_1[1], _e1050, (_e1050 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e1044 == 1023u));
+                                                let _e1057 = ((_e917.member[2] >> bitcast<u32>(_e969)) & 1023u);
+                                                let _e1063 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1057) * _e977)) ^ _e112)));
+                                                let _e1067 = select(select(_e515.member.member_1[2], _e1063, (_e1063 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e1057 == 1023u));
+                                                let _e1072 = (_e987 - _e366);
+                                                let _e1075 = (((_e947 - _e289) * _e390) - (_e1072 * _e314));
+                                                let _e1078 = (((_e967 - _e328) * _e390) - (_e1072 * _e352));
+                                                let _e1081 = (_e1027 - _e366);
+                                                let _e1084 = (((_e1001 - _e289) * _e390) - (_e1081 * _e314));
+                                                let _e1087 = (((_e1014 - _e328) * _e390) - (_e1081 * _e352));
+                                                let _e1090 = (_e1067 - _e366);
+                                                let _e1093 = (((_e1041 - _e289) * _e390) - (_e1090 * _e314));
+                                                let _e1096 = (((_e1054 - _e328) * _e390) - (_e1090 * _e352));
+                                                let _e1097 = (_e1093 * _e1087);
+                                                let _e1098 = (_e1096 * _e1084);
+                                                let _e1099 = (_e1075 * _e1096);
+                                                let _e1100 = (_e1078 * _e1093);
+                                                let _e1101 = (_e1084 * _e1078);
+                                                let _e1102 = (_e1087 * _e1075);
+                                                let _e1107 = (((_e1097 >= _e1098) && (_e1099 >= _e1100)) && (_e1101 >= _e1102));
+                                                if (_e1107 || (((_e1097 <= _e1098) && (_e1099 <= _e1100)) && (_e1101 <= _e1102))) {
+                                                    let _e1114 = select(-1f, 1f, _e1107);
+                                                    let _e1116 = ((_e1097 - _e1098) * _e1114);
+                                                    let _e1118 = select(0f, _e1116, (_e1116 > 0f));
+                                                    let _e1120 = ((_e1099 - _e1100) * _e1114);
+                                                    let _e1122 = select(0f, _e1120, (_e1120 > 0f));
+                                                    let _e1124 = ((_e1101 - _e1102) * _e1114);
+                                                    let _e1126 = select(0f, _e1124, (_e1124 > 0f));
+                                                    let _e1128 = ((_e1118 + _e1122) + _e1126);
+                                                    if (_e1128 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2036_ = type_21();
+                                                        phi_2037_ = true;
+                                                        phi_2038_ = false;
                                                     } else {
-                                                        let _e1129 = select(_e999, _e945, (_e945 < _e999));
-                                                        let _e1133 = select(_e999, _e945, (_e945 > _e999));
-                                                        let _e1137 = select(_e1012, _e965, (_e965 < _e1012));
-                                                        let _e1141 = select(_e1012, _e965, (_e965 > _e1012));
-                                                        let _e1145 = select(_e1025, _e985, (_e985 < _e1025));
-                                                        let _e1149 = select(_e1025, _e985, (_e985 > _e1025));
-                                                        let _e1154 = ((select(_e1039, _e1129, (_e1129 < _e1039)) - _e310) * _e315);
-                                                        let _e1155 = ((select(_e1039, _e1133, (_e1133 > _e1039)) - _e311) * _e315);
-                                                        let _e1158 = ((select(_e1052, _e1137, (_e1137 < _e1052)) - _e348) * _e353);
-                                                        let _e1159 = ((select(_e1052, _e1141, (_e1141 > _e1052)) - _e349) * _e353);
-                                                        let _e1162 = ((select(_e1065, _e1145, (_e1145 < _e1065)) - _e386) * _e391);
-                                                        let _e1163 = ((select(_e1065, _e1149, (_e1149 > _e1065)) - _e387) * _e391);
-                                                        let _e1165 = select(_e1163, _e1162, (_e1162 < _e1163));
-                                                        let _e1167 = select(_e1163, _e1162, (_e1162 > _e1163));
-                                                        let _e1169 = select(_e1155, _e1154, (_e1154 < _e1155));
-                                                        let _e1171 = select(_e1159, _e1158, (_e1158 < _e1159));
-                                                        let _e1173 = select(_e1171, _e1169, (_e1169 > _e1171));
-                                                        let _e1175 = select(_e1165, _e1173, (_e1173 > _e1165));
-                                                        let _e1177 = select(_e1155, _e1154, (_e1154 > _e1155));
-                                                        let _e1179 = select(_e1159, _e1158, (_e1158 > _e1159));
-                                                        let _e1181 = select(_e1179, _e1177, (_e1177 < _e1179));
-                                                        let _e1183 = select(_e1167, _e1181, (_e1181 < _e1167));
-                                                        let _e1184 = -(_e1165);
-                                                        let _e1190 = select(_e438, _e1175, (_e1175 > _e438));
-                                                        if (_e1190 > (_e1183 + (select(_e1184, _e1167, (_e1167 > _e1184)) * 0.0000019073523f))) {
-                                                            phi_1764_ = type_21();
-                                                            phi_1765_ = true;
+                                                        let _e1131 = select(_e1084, _e1075, (_e1075 < _e1084));
+                                                        if (select(_e1093, _e1131, (_e1131 < _e1093)) > 0f) {
+                                                            phi_1349_ = true;
                                                         } else {
-                                                            let _e1192 = (_e1190 > _e877.member.member_1);
-                                                            if _e1192 {
-                                                                phi_1763_ = type_21();
+                                                            let _e1136 = select(_e1084, _e1075, (_e1075 > _e1084));
+                                                            phi_1349_ = (select(_e1093, _e1136, (_e1136 > _e1093)) < 0f);
+                                                        }
+                                                        let _e1141 = phi_1349_;
+                                                        if _e1141 {
+                                                            phi_2033_ = type_21();
+                                                            phi_2034_ = true;
+                                                            phi_2035_ = false;
+                                                        } else {
+                                                            let _e1143 = select(_e1087, _e1078, (_e1078 < _e1087));
+                                                            if (select(_e1096, _e1143, (_e1143 < _e1096)) > 0f) {
+                                                                phi_1378_ = true;
                                                             } else {
-                                                                let _e1196 = (_e999 - _e945);
-                                                                let _e1197 = (_e1012 - _e965);
-                                                                let _e1198 = (_e1025 - _e985);
-                                                                let _e1199 = vec3<f32>(_e1196, _e1197, _e1198);
-                                                                let _e1200 = (_e1039 - _e999);
-                                                                let _e1201 = (_e1052 - _e1012);
-                                                                let _e1202 = (_e1065 - _e1025);
-                                                                let _e1203 = vec3<f32>(_e1200, _e1201, _e1202);
-                                                                let _e1204 = (_e945 - _e1039);
-                                                                let _e1205 = (_e965 - _e1052);
-                                                                let _e1206 = (_e985 - _e1065);
-                                                                let _e1207 = vec3<f32>(_e1204, _e1205, _e1206);
-                                                                let _e1210 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-                                                                let _e1213 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
-                                                                let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
-                                                                let _e1218 = bitcast<f32>((bitcast<u32>(_e1198) & 2147483647u));
-                                                                let _e1220 = select(_e1218, _e1215, (_e1215 > _e1218));
-                                                                let _e1223 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
-                                                                let _e1226 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
-                                                                let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
-                                                                let _e1231 = bitcast<f32>((bitcast<u32>(_e1202) & 2147483647u));
-                                                                let _e1233 = select(_e1231, _e1228, (_e1228 > _e1231));
-                                                                let _e1236 = bitcast<f32>((bitcast<u32>(_e1204) & 2147483647u));
-                                                                let _e1239 = bitcast<f32>((bitcast<u32>(_e1205) & 2147483647u));
-                                                                let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
-                                                                let _e1244 = bitcast<f32>((bitcast<u32>(_e1206) & 2147483647u));
-                                                                let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
-                                                                let _e1248 = select(_e1233, _e1220, (_e1220 > _e1233));
-                                                                let _e1250 = select(_e1246, _e1248, (_e1248 > _e1246));
-                                                                if (_e1220 == _e1250) {
-                                                                    phi_1674_ = _e1203;
-                                                                    phi_1675_ = _e1207;
+                                                                let _e1148 = select(_e1087, _e1078, (_e1078 > _e1087));
+                                                                phi_1378_ = (select(_e1096, _e1148, (_e1148 > _e1096)) < 0f);
+                                                            }
+                                                            let _e1153 = phi_1378_;
+                                                            if _e1153 {
+                                                                phi_2031_ = type_21();
+                                                                phi_2032_ = false;
+                                                            } else {
+                                                                let _e1155 = select(_e1001, _e947, (_e947 < _e1001));
+                                                                let _e1159 = select(_e1001, _e947, (_e947 > _e1001));
+                                                                let _e1163 = select(_e1014, _e967, (_e967 < _e1014));
+                                                                let _e1167 = select(_e1014, _e967, (_e967 > _e1014));
+                                                                let _e1171 = select(_e1027, _e987, (_e987 < _e1027));
+                                                                let _e1175 = select(_e1027, _e987, (_e987 > _e1027));
+                                                                let _e1180 = ((select(_e1041, _e1155, (_e1155 < _e1041)) - _e312) * _e317);
+                                                                let _e1181 = ((select(_e1041, _e1159, (_e1159 > _e1041)) - _e313) * _e317);
+                                                                let _e1184 = ((select(_e1054, _e1163, (_e1163 < _e1054)) - _e350) * _e355);
+                                                                let _e1185 = ((select(_e1054, _e1167, (_e1167 > _e1054)) - _e351) * _e355);
+                                                                let _e1188 = ((select(_e1067, _e1171, (_e1171 < _e1067)) - _e388) * _e393);
+                                                                let _e1189 = ((select(_e1067, _e1175, (_e1175 > _e1067)) - _e389) * _e393);
+                                                                let _e1191 = select(_e1189, _e1188, (_e1188 < _e1189));
+                                                                let _e1193 = select(_e1189, _e1188, (_e1188 > _e1189));
+                                                                let _e1195 = select(_e1181, _e1180, (_e1180 < _e1181));
+                                                                let _e1197 = select(_e1185, _e1184, (_e1184 < _e1185));
+                                                                let _e1199 = select(_e1197, _e1195, (_e1195 > _e1197));
+                                                                let _e1201 = select(_e1191, _e1199, (_e1199 > _e1191));
+                                                                let _e1203 = select(_e1181, _e1180, (_e1180 > _e1181));
+                                                                let _e1205 = select(_e1185, _e1184, (_e1184 > _e1185));
+                                                                let _e1207 = select(_e1205, _e1203, (_e1203 < _e1205));
+                                                                let _e1209 = select(_e1193, _e1207, (_e1207 < _e1193));
+                                                                let _e1210 = -(_e1191);
+                                                                let _e1216 = select(_e440, _e1201, (_e1201 > _e440));
+                                                                if (_e1216 > (_e1209 + (select(_e1210, _e1193, (_e1193 > _e1210)) * 0.0000019073523f))) {
+                                                                    phi_2026_ = type_21();
+                                                                    phi_2027_ = true;
                                                                 } else {
-                                                                    let _e1253 = vec3((_e1233 == _e1250));
-                                                                    phi_1674_ = select(_e1199, _e1207, _e1253);
-                                                                    phi_1675_ = select(_e1203, _e1199, _e1253);
-                                                                }
-                                                                let _e1257 = phi_1674_;
-                                                                let _e1259 = phi_1675_;
-                                                                let _e1266 = ((_e1257.y * _e1259.z) - (_e1259.y * _e1257.z));
-                                                                let _e1271 = ((_e1257.z * _e1259.x) - (_e1259.z * _e1257.x));
-                                                                let _e1274 = ((_e1257.x * _e1259.y) - (_e1259.x * _e1257.y));
-                                                                if (_e1116 >= _e1120) {
-                                                                    phi_1706_ = select(true, false, (_e1116 >= _e1124));
-                                                                } else {
-                                                                    phi_1706_ = true;
-                                                                }
-                                                                let _e1279 = phi_1706_;
-                                                                if _e1279 {
-                                                                    phi_1715_ = select(vec3<f32>(_e1039, _e1052, _e1065), vec3<f32>(_e999, _e1012, _e1025), vec3((_e1120 >= _e1124)));
-                                                                } else {
-                                                                    phi_1715_ = vec3<f32>(_e945, _e965, _e985);
-                                                                }
-                                                                let _e1284 = phi_1715_;
-                                                                let _e1301 = ((((_e1266 * (_e1284.x - _e287)) + (_e1271 * (_e1284.y - _e326))) + (_e1274 * (_e1284.z - _e364))) / (((_e1266 * _e312) + (_e1271 * _e350)) + (_e1274 * _e388)));
-                                                                let _e1303 = select(_e1183, _e1301, (_e1301 < _e1183));
-                                                                let _e1305 = select(_e1175, _e1303, (_e1303 > _e1175));
-                                                                if (_e1305 >= _e438) {
-                                                                    let _e1307 = (_e1305 <= _e877.member.member_1);
-                                                                    if _e1307 {
-                                                                        let _e1308 = (1f / _e1126);
-                                                                        phi_1755_ = type_21(_e1305, (_e1120 * _e1308), (_e1124 * _e1308), _e911);
+                                                                    let _e1218 = (_e1216 > _e879.member.member_1);
+                                                                    if _e1218 {
+                                                                        phi_2025_ = type_21();
                                                                     } else {
-                                                                        phi_1755_ = type_21();
+                                                                        let _e1219 = vec3<f32>(_e947, _e967, _e987);
+                                                                        let _e1220 = vec3<f32>(_e1001, _e1014, _e1027);
+                                                                        let _e1221 = vec3<f32>(_e1041, _e1054, _e1067);
+                                                                        let _e1222 = (_e1001 - _e947);
+                                                                        let _e1223 = (_e1014 - _e967);
+                                                                        let _e1224 = (_e1027 - _e987);
+                                                                        let _e1225 = vec3<f32>(_e1222, _e1223, _e1224);
+                                                                        let _e1226 = (_e1041 - _e1001);
+                                                                        let _e1227 = (_e1054 - _e1014);
+                                                                        let _e1228 = (_e1067 - _e1027);
+                                                                        let _e1229 = vec3<f32>(_e1226, _e1227, _e1228);
+                                                                        let _e1230 = (_e947 - _e1041);
+                                                                        let _e1231 = (_e967 - _e1054);
+                                                                        let _e1232 = (_e987 - _e1067);
+                                                                        let _e1233 = vec3<f32>(_e1230, _e1231, _e1232);
+                                                                        let _e1236 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
+                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
+                                                                        let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
+                                                                        let _e1244 = bitcast<f32>((bitcast<u32>(_e1224) & 2147483647u));
+                                                                        let _e1246 = select(_e1244, _e1241, (_e1241 > _e1244));
+                                                                        let _e1249 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
+                                                                        let _e1252 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
+                                                                        let _e1254 = select(_e1252, _e1249, (_e1249 > _e1252));
+                                                                        let _e1257 = bitcast<f32>((bitcast<u32>(_e1228) & 2147483647u));
+                                                                        let _e1259 = select(_e1257, _e1254, (_e1254 > _e1257));
+                                                                        let _e1262 = bitcast<f32>((bitcast<u32>(_e1230) & 2147483647u));
+                                                                        let _e1265 = bitcast<f32>((bitcast<u32>(_e1231) & 2147483647u));
+                                                                        let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                        let _e1270 = bitcast<f32>((bitcast<u32>(_e1232) & 2147483647u));
+                                                                        let _e1272 = select(_e1270, _e1267, (_e1267 > _e1270));
+                                                                        let _e1274 = select(_e1259, _e1246, (_e1246 > _e1259));
+                                                                        let _e1276 = select(_e1272, _e1274, (_e1274 > _e1272));
+                                                                        if (_e1246 == _e1276) {
+                                                                            phi_1755_ = _e1087;
+                                                                            phi_1756_ = _e1084;
+                                                                            phi_1757_ = _e1078;
+                                                                            phi_1758_ = _e1075;
+                                                                            phi_1759_ = _e1219;
+                                                                            phi_1760_ = _e1233;
+                                                                            phi_1761_ = _e1229;
+                                                                            phi_1762_ = _e1225;
+                                                                        } else {
+                                                                            let _e1278 = (_e1259 == _e1276);
+                                                                            let _e1283 = vec3(_e1278);
+                                                                            phi_1755_ = select(_e1078, _e1096, _e1278);
+                                                                            phi_1756_ = select(_e1075, _e1093, _e1278);
+                                                                            phi_1757_ = select(_e1096, _e1087, _e1278);
+                                                                            phi_1758_ = select(_e1093, _e1084, _e1278);
+                                                                            phi_1759_ = select(_e1221, _e1220, _e1283);
+                                                                            phi_1760_ = select(_e1229, _e1225, _e1283);
+                                                                            phi_1761_ = select(_e1225, _e1233, _e1283);
+                                                                            phi_1762_ = select(_e1233, _e1229, _e1283);
+                                                                        }
+                                                                        let _e1289 = phi_1755_;
+                                                                        let _e1291 = phi_1756_;
+                                                                        let _e1293 = phi_1757_;
+                                                                        let _e1295 = phi_1758_;
+                                                                        let _e1297 = phi_1759_;
+                                                                        let _e1299 = phi_1760_;
+                                                                        let _e1301 = phi_1761_;
+                                                                        let _e1303 = phi_1762_;
+                                                                        let _e1310 = ((_e1301.y * _e1299.z) - (_e1299.y * _e1301.z));
+                                                                        let _e1315 = ((_e1301.z * _e1299.x) - (_e1299.z * _e1301.x));
+                                                                        let _e1318 = ((_e1301.x * _e1299.y) - (_e1299.x * _e1301.y));
+                                                                        if (_e1118 >= _e1122) {
+                                                                            phi_1793_ = select(true, false, (_e1118 >= _e1126));
+                                                                        } else {
+                                                                            phi_1793_ = true;
+                                                                        }
+                                                                        let _e1323 = phi_1793_;
+                                                                        if _e1323 {
+                                                                            phi_1802_ = select(_e1221, _e1220, vec3((_e1122 >= _e1126)));
+                                                                        } else {
+                                                                            phi_1802_ = _e1219;
+                                                                        }
+                                                                        let _e1328 = phi_1802_;
+                                                                        let _e1333 = (((_e1310 * _e314) + (_e1315 * _e352)) + (_e1318 * _e390));
+                                                                        let _e1344 = (((_e1310 * (_e1328.x - _e289)) + (_e1315 * (_e1328.y - _e328))) + (_e1318 * (_e1328.z - _e366)));
+                                                                        let _e1346 = (_e1291 - _e1295);
+                                                                        let _e1347 = (_e1289 - _e1293);
+                                                                        let _e1355 = (-(((_e1295 * _e1346) + (_e1293 * _e1347))) / ((_e1346 * _e1346) + (_e1347 * _e1347)));
+                                                                        let _e1357 = select(1f, _e1355, (_e1355 < 1f));
+                                                                        let _e1359 = select(0f, _e1357, (_e1357 > 0f));
+                                                                        let _e1372 = ((_e1297.x + (_e1303.x * _e1359)) - _e289);
+                                                                        let _e1373 = ((_e1297.y + (_e1303.y * _e1359)) - _e328);
+                                                                        let _e1374 = ((_e1297.z + (_e1303.z * _e1359)) - _e366);
+                                                                        let _e1375 = (_e1374 / _e390);
+                                                                        let _e1387 = bitcast<f32>((bitcast<u32>(_e1372) & 2147483647u));
+                                                                        let _e1390 = bitcast<f32>((bitcast<u32>(_e1373) & 2147483647u));
+                                                                        let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                        let _e1395 = bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u));
+                                                                        let _e1397 = select(_e1395, _e1392, (_e1392 > _e1395));
+                                                                        let _e1403 = bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u));
+                                                                        let _e1406 = bitcast<f32>((bitcast<u32>(_e1315) & 2147483647u));
+                                                                        let _e1408 = select(_e1406, _e1403, (_e1403 > _e1406));
+                                                                        let _e1411 = bitcast<f32>((bitcast<u32>(_e1318) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1310 * _e1372) + (_e1315 * _e1373)) + (_e1318 * _e1374)) - _e1344)) & 2147483647u)) <= ((0.0000009536743f * select(_e1276, _e1397, (_e1397 > _e1276))) * select(_e1411, _e1408, (_e1408 > _e1411)))) {
+                                                                            let _e1421 = bitcast<f32>((bitcast<u32>(_e1301.x) & 2147483647u));
+                                                                            let _e1424 = bitcast<f32>((bitcast<u32>(_e1301.y) & 2147483647u));
+                                                                            let _e1426 = select(_e1424, _e1421, (_e1421 > _e1424));
+                                                                            let _e1429 = bitcast<f32>((bitcast<u32>(_e1301.z) & 2147483647u));
+                                                                            let _e1435 = bitcast<f32>((bitcast<u32>(_e1299.x) & 2147483647u));
+                                                                            let _e1438 = bitcast<f32>((bitcast<u32>(_e1299.y) & 2147483647u));
+                                                                            let _e1440 = select(_e1438, _e1435, (_e1435 > _e1438));
+                                                                            let _e1443 = bitcast<f32>((bitcast<u32>(_e1299.z) & 2147483647u));
+                                                                            phi_1969_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1333) & 2147483647u)) > ((0.0000038146973f * select(_e1429, _e1426, (_e1426 > _e1429))) * select(_e1443, _e1440, (_e1440 > _e1443)))));
+                                                                        } else {
+                                                                            phi_1969_ = true;
+                                                                        }
+                                                                        let _e1450 = phi_1969_;
+                                                                        if _e1450 {
+                                                                            let _e1461 = ((((_e1310 * (_e1372 - (_e314 * _e1375))) + (_e1315 * (_e1373 - (_e352 * _e1375)))) + (_e1318 * (_e1374 - _e1374))) / _e1333);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1461) & 2147483647u)) <= _e1276) {
+                                                                                phi_1993_ = (_e1375 + _e1461);
+                                                                            } else {
+                                                                                phi_1993_ = _e1375;
+                                                                            }
+                                                                            let _e1468 = phi_1993_;
+                                                                            phi_1994_ = _e1468;
+                                                                        } else {
+                                                                            phi_1994_ = (_e1344 / _e1333);
+                                                                        }
+                                                                        let _e1470 = phi_1994_;
+                                                                        let _e1472 = select(_e1209, _e1470, (_e1470 < _e1209));
+                                                                        let _e1474 = select(_e1201, _e1472, (_e1472 > _e1201));
+                                                                        if (_e1474 >= _e440) {
+                                                                            let _e1476 = (_e1474 <= _e879.member.member_1);
+                                                                            if _e1476 {
+                                                                                let _e1477 = (1f / _e1128);
+                                                                                phi_2017_ = type_21(_e1474, (_e1122 * _e1477), (_e1126 * _e1477), _e913);
+                                                                            } else {
+                                                                                phi_2017_ = type_21();
+                                                                            }
+                                                                            let _e1482 = phi_2017_;
+                                                                            phi_2019_ = _e1482;
+                                                                            phi_2020_ = select(true, false, _e1476);
+                                                                        } else {
+                                                                            phi_2019_ = type_21();
+                                                                            phi_2020_ = true;
+                                                                        }
+                                                                        let _e1485 = phi_2019_;
+                                                                        let _e1487 = phi_2020_;
+                                                                        if _e1487 {
+                                                                            phi_2024_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2024_ = _e1485;
+                                                                        }
+                                                                        let _e1489 = phi_2024_;
+                                                                        phi_2025_ = _e1489;
                                                                     }
-                                                                    let _e1313 = phi_1755_;
-                                                                    phi_1757_ = _e1313;
-                                                                    phi_1758_ = select(true, false, _e1307);
-                                                                } else {
-                                                                    phi_1757_ = type_21();
-                                                                    phi_1758_ = true;
+                                                                    let _e1491 = phi_2025_;
+                                                                    phi_2026_ = _e1491;
+                                                                    phi_2027_ = _e1218;
                                                                 }
-                                                                let _e1316 = phi_1757_;
-                                                                let _e1318 = phi_1758_;
-                                                                if _e1318 {
-                                                                    phi_1762_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1762_ = _e1316;
-                                                                }
-                                                                let _e1320 = phi_1762_;
-                                                                phi_1763_ = _e1320;
+                                                                let _e1493 = phi_2026_;
+                                                                let _e1495 = phi_2027_;
+                                                                phi_2031_ = _e1493;
+                                                                phi_2032_ = _e1495;
                                                             }
-                                                            let _e1322 = phi_1763_;
-                                                            phi_1764_ = _e1322;
-                                                            phi_1765_ = _e1192;
+                                                            let _e1497 = phi_2031_;
+                                                            let _e1499 = phi_2032_;
+                                                            phi_2033_ = _e1497;
+                                                            phi_2034_ = _e1153;
+                                                            phi_2035_ = _e1499;
                                                         }
-                                                        let _e1324 = phi_1764_;
-                                                        let _e1326 = phi_1765_;
-                                                        phi_1769_ = _e1324;
-                                                        phi_1770_ = _e1326;
+                                                        let _e1501 = phi_2033_;
+                                                        let _e1503 = phi_2034_;
+                                                        let _e1505 = phi_2035_;
+                                                        phi_2036_ = _e1501;
+                                                        phi_2037_ = _e1503;
+                                                        phi_2038_ = _e1505;
                                                     }
-                                                    let _e1328 = phi_1769_;
-                                                    let _e1330 = phi_1770_;
-                                                    phi_1774_ = _e1328;
-                                                    phi_1775_ = _e1330;
+                                                    let _e1507 = phi_2036_;
+                                                    let _e1509 = phi_2037_;
+                                                    let _e1511 = phi_2038_;
+                                                    phi_2046_ = _e1507;
+                                                    phi_2047_ = select(_e1511, true, _e1509);
                                                 } else {
-                                                    phi_1774_ = type_21();
-                                                    phi_1775_ = true;
+                                                    phi_2046_ = type_21();
+                                                    phi_2047_ = true;
                                                 }
-                                                let _e1332 = phi_1774_;
-                                                let _e1334 = phi_1775_;
-                                                if _e1334 {
-                                                    phi_1779_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1514 = phi_2046_;
+                                                let _e1516 = phi_2047_;
+                                                if _e1516 {
+                                                    phi_2051_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1779_ = _e1332;
+                                                    phi_2051_ = _e1514;
                                                 }
-                                                let _e1336 = phi_1779_;
-                                                if (_e1336.member_3 != 4294967295u) {
-                                                    if (_e911 != 4294967295u) {
-                                                        if (_e1336.member < _e877.member.member.member) {
-                                                            phi_1805_ = true;
+                                                let _e1518 = phi_2051_;
+                                                if (_e1518.member_3 != 4294967295u) {
+                                                    if (_e913 != 4294967295u) {
+                                                        if (_e1518.member < _e879.member.member.member) {
+                                                            phi_2077_ = true;
                                                         } else {
-                                                            if (_e1336.member == _e877.member.member.member) {
-                                                                phi_1804_ = (_e1336.member_3 < _e877.member.member.member_3);
+                                                            if (_e1518.member == _e879.member.member.member) {
+                                                                phi_2076_ = (_e1518.member_3 < _e879.member.member.member_3);
                                                             } else {
-                                                                phi_1804_ = false;
+                                                                phi_2076_ = false;
                                                             }
-                                                            let _e1351 = phi_1804_;
-                                                            phi_1805_ = _e1351;
+                                                            let _e1533 = phi_2076_;
+                                                            phi_2077_ = _e1533;
                                                         }
-                                                        let _e1353 = phi_1805_;
-                                                        if _e1353 {
-                                                            phi_1812_ = type_33(type_28(_e1336, _e1336.member), _e904.member_1, _e904.member_2);
+                                                        let _e1535 = phi_2077_;
+                                                        if _e1535 {
+                                                            phi_2084_ = type_33(type_28(_e1518, _e1518.member), _e906.member_1, _e906.member_2);
                                                         } else {
-                                                            phi_1812_ = _e904;
+                                                            phi_2084_ = _e906;
                                                         }
-                                                        let _e1360 = phi_1812_;
-                                                        phi_1813_ = _e1360;
+                                                        let _e1542 = phi_2084_;
+                                                        phi_2085_ = _e1542;
                                                     } else {
-                                                        phi_1813_ = _e904;
+                                                        phi_2085_ = _e906;
                                                     }
-                                                    let _e1362 = phi_1813_;
-                                                    phi_1814_ = _e1362;
+                                                    let _e1544 = phi_2085_;
+                                                    phi_2086_ = _e1544;
                                                 } else {
-                                                    phi_1814_ = _e904;
+                                                    phi_2086_ = _e906;
                                                 }
-                                                let _e1364 = phi_1814_;
-                                                phi_899_ = _e1364;
+                                                let _e1546 = phi_2086_;
+                                                phi_904_ = _e1546;
                                             } else {
-                                                phi_899_ = type_33();
+                                                phi_904_ = type_33();
                                             }
-                                            let _e1366 = phi_899_;
+                                            let _e1548 = phi_904_;
                                             continue;
                                             continuing {
-                                                phi_898_ = _e1366;
-                                                phi_901_ = _e892;
-                                                phi_2834_ = _e471;
-                                                break if !(_e898);
+                                                phi_903_ = _e1548;
+                                                phi_906_ = _e894;
+                                                phi_3106_ = _e473;
+                                                break if !(_e900);
                                             }
                                         }
-                                        let _e1369 = phi_2834_;
-                                        phi_2966_ = _e1369;
-                                        if _e1369 {
+                                        let _e1551 = phi_3106_;
+                                        phi_3266_ = _e1551;
+                                        if _e1551 {
                                             break;
                                         }
-                                        phi_2970_ = _e1369;
-                                        let _e1515 = local_12;
-                                        phi_2766_ = _e1515;
-                                        phi_2767_ = _e513;
-                                        phi_2768_ = false;
-                                        phi_2769_ = _e517;
+                                        phi_3270_ = _e1551;
+                                        let _e1714 = local_12;
+                                        phi_3038_ = _e1714;
+                                        phi_3039_ = _e515;
+                                        phi_3040_ = false;
+                                        phi_3041_ = _e519;
                                     } else {
-                                        let _e533 = (_e513.member_1 < _e75);
-                                        if _e533 {
-                                            if _e533 {
+                                        let _e535 = (_e515.member_1 < _e77);
+                                        if _e535 {
+                                            if _e535 {
                                             } else {
-                                                phi_2966_ = true;
+                                                phi_3266_ = true;
                                                 break;
                                             }
-                                            let _e535 = global_4.member[_e513.member_1];
-                                            phi_1836_ = _e535;
+                                            let _e537 = global_4.member[_e515.member_1];
+                                            phi_2108_ = _e537;
                                         } else {
-                                            phi_1836_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2108_ = type_37(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e537 = phi_1836_;
-                                        let _e552 = ((10u * _e238) & 31u);
-                                        let _e555 = ((_e537.member[0] >> bitcast<u32>(_e552)) & 1023u);
-                                        let _e560 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[0] - _e513.member.member[0]) * 0.0009775171f)) ^ _e110));
-                                        let _e566 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e555) * _e560)) ^ _e110)));
-                                        let _e570 = select(select(_e513.member.member_1[0], _e566, (_e566 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e555 == 1023u));
-                                        let _e572 = ((10u * _e237) & 31u);
-                                        let _e575 = ((_e537.member[0] >> bitcast<u32>(_e572)) & 1023u);
-                                        let _e580 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[1] - _e513.member.member[1]) * 0.0009775171f)) ^ _e110));
-                                        let _e586 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e575) * _e580)) ^ _e110)));
-                                        let _e590 = select(select(_e513.member.member_1[1], _e586, (_e586 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e575 == 1023u));
-                                        let _e592 = ((10u * _e239) & 31u);
-                                        let _e595 = ((_e537.member[0] >> bitcast<u32>(_e592)) & 1023u);
-                                        let _e600 = bitcast<f32>((bitcast<u32>(((_e513.member.member_1[2] - _e513.member.member[2]) * 0.0009775171f)) ^ _e110));
-                                        let _e606 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e595) * _e600)) ^ _e110)));
-                                        let _e610 = select(select(_e513.member.member_1[2], _e606, (_e606 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e595 == 1023u));
-                                        let _e613 = ((_e537.member[1] >> bitcast<u32>(_e552)) & 1023u);
-                                        let _e619 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e613) * _e560)) ^ _e110)));
-                                        let _e623 = select(select(_e513.member.member_1[0], _e619, (_e619 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e613 == 1023u));
-                                        let _e626 = ((_e537.member[1] >> bitcast<u32>(_e572)) & 1023u);
-                                        let _e632 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e626) * _e580)) ^ _e110)));
-                                        let _e636 = select(select(_e513.member.member_1[1], _e632, (_e632 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e626 == 1023u));
-                                        let _e639 = ((_e537.member[1] >> bitcast<u32>(_e592)) & 1023u);
-                                        let _e645 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e639) * _e600)) ^ _e110)));
-                                        let _e649 = select(select(_e513.member.member_1[2], _e645, (_e645 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e639 == 1023u));
-                                        let _e655 = ((_e537.member_1[0] >> bitcast<u32>(_e552)) & 1023u);
-                                        let _e661 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e655) * _e560)) ^ _e110)));
-                                        let _e665 = select(select(_e513.member.member_1[0], _e661, (_e661 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e655 == 1023u));
-                                        let _e668 = ((_e537.member_1[0] >> bitcast<u32>(_e572)) & 1023u);
-                                        let _e674 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e668) * _e580)) ^ _e110)));
-                                        let _e678 = select(select(_e513.member.member_1[1], _e674, (_e674 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e668 == 1023u));
-                                        let _e681 = ((_e537.member_1[0] >> bitcast<u32>(_e592)) & 1023u);
-                                        let _e687 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e681) * _e600)) ^ _e110)));
-                                        let _e691 = select(select(_e513.member.member_1[2], _e687, (_e687 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e681 == 1023u));
-                                        let _e694 = ((_e537.member_1[1] >> bitcast<u32>(_e552)) & 1023u);
-                                        let _e700 = (_e513.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e694) * _e560)) ^ _e110)));
-                                        let _e704 = select(select(_e513.member.member_1[0], _e700, (_e700 < _e513.member.member_1[0])), _e513.member.member_1[0], (_e694 == 1023u));
-                                        let _e707 = ((_e537.member_1[1] >> bitcast<u32>(_e572)) & 1023u);
-                                        let _e713 = (_e513.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e707) * _e580)) ^ _e110)));
-                                        let _e717 = select(select(_e513.member.member_1[1], _e713, (_e713 < _e513.member.member_1[1])), _e513.member.member_1[1], (_e707 == 1023u));
-                                        let _e720 = ((_e537.member_1[1] >> bitcast<u32>(_e592)) & 1023u);
-                                        let _e726 = (_e513.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e720) * _e600)) ^ _e110)));
-                                        let _e730 = select(select(_e513.member.member_1[2], _e726, (_e726 < _e513.member.member_1[2])), _e513.member.member_1[2], (_e720 == 1023u));
-                                        let _e735 = type_50(type_42(array<f32, 3>(_e570, _e590, _e610), array<f32, 3>(_e623, _e636, _e649)), _e537.member_2);
-                                        let _e740 = type_50(type_42(array<f32, 3>(_e665, _e678, _e691), array<f32, 3>(_e704, _e717, _e730)), _e537.member_3);
-                                        let _e747 = ((_e570 - _e310) * _e315);
-                                        let _e748 = ((_e665 - _e310) * _e315);
-                                        let _e749 = ((_e623 - _e311) * _e315);
-                                        let _e750 = ((_e704 - _e311) * _e315);
-                                        let _e755 = ((_e590 - _e348) * _e353);
-                                        let _e756 = ((_e678 - _e348) * _e353);
-                                        let _e757 = ((_e636 - _e349) * _e353);
-                                        let _e758 = ((_e717 - _e349) * _e353);
-                                        let _e763 = ((_e610 - _e386) * _e391);
-                                        let _e764 = ((_e691 - _e386) * _e391);
-                                        let _e765 = ((_e649 - _e387) * _e391);
-                                        let _e766 = ((_e730 - _e387) * _e391);
-                                        let _e768 = select(_e765, _e763, (_e763 < _e765));
-                                        let _e770 = select(_e766, _e764, (_e764 < _e766));
-                                        let _e772 = select(_e765, _e763, (_e763 > _e765));
-                                        let _e774 = select(_e766, _e764, (_e764 > _e766));
-                                        let _e776 = select(_e749, _e747, (_e747 < _e749));
-                                        let _e778 = select(_e750, _e748, (_e748 < _e750));
-                                        let _e780 = select(_e757, _e755, (_e755 < _e757));
-                                        let _e782 = select(_e758, _e756, (_e756 < _e758));
-                                        let _e784 = select(_e780, _e776, (_e776 > _e780));
+                                        let _e539 = phi_2108_;
+                                        let _e554 = ((10u * _e240) & 31u);
+                                        let _e557 = ((_e539.member[0] >> bitcast<u32>(_e554)) & 1023u);
+                                        let _e562 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[0] - _e515.member.member[0]) * 0.0009775171f)) ^ _e112));
+                                        let _e568 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e557) * _e562)) ^ _e112)));
+                                        let _e572 = select(select(_e515.member.member_1[0], _e568, (_e568 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e557 == 1023u));
+                                        let _e574 = ((10u * _e239) & 31u);
+                                        let _e577 = ((_e539.member[0] >> bitcast<u32>(_e574)) & 1023u);
+                                        let _e582 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[1] - _e515.member.member[1]) * 0.0009775171f)) ^ _e112));
+                                        let _e588 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e577) * _e582)) ^ _e112)));
+                                        let _e592 = select(select(_e515.member.member_1[1], _e588, (_e588 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e577 == 1023u));
+                                        let _e594 = ((10u * _e241) & 31u);
+                                        let _e597 = ((_e539.member[0] >> bitcast<u32>(_e594)) & 1023u);
+                                        let _e602 = bitcast<f32>((bitcast<u32>(((_e515.member.member_1[2] - _e515.member.member[2]) * 0.0009775171f)) ^ _e112));
+                                        let _e608 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e597) * _e602)) ^ _e112)));
+                                        let _e612 = select(select(_e515.member.member_1[2], _e608, (_e608 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e597 == 1023u));
+                                        let _e615 = ((_e539.member[1] >> bitcast<u32>(_e554)) & 1023u);
+                                        let _e621 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e615) * _e562)) ^ _e112)));
+                                        let _e625 = select(select(_e515.member.member_1[0], _e621, (_e621 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e615 == 1023u));
+                                        let _e628 = ((_e539.member[1] >> bitcast<u32>(_e574)) & 1023u);
+                                        let _e634 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e628) * _e582)) ^ _e112)));
+                                        let _e638 = select(select(_e515.member.member_1[1], _e634, (_e634 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e628 == 1023u));
+                                        let _e641 = ((_e539.member[1] >> bitcast<u32>(_e594)) & 1023u);
+                                        let _e647 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e641) * _e602)) ^ _e112)));
+                                        let _e651 = select(select(_e515.member.member_1[2], _e647, (_e647 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e641 == 1023u));
+                                        let _e657 = ((_e539.member_1[0] >> bitcast<u32>(_e554)) & 1023u);
+                                        let _e663 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e657) * _e562)) ^ _e112)));
+                                        let _e667 = select(select(_e515.member.member_1[0], _e663, (_e663 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e657 == 1023u));
+                                        let _e670 = ((_e539.member_1[0] >> bitcast<u32>(_e574)) & 1023u);
+                                        let _e676 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e670) * _e582)) ^ _e112)));
+                                        let _e680 = select(select(_e515.member.member_1[1], _e676, (_e676 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e670 == 1023u));
+                                        let _e683 = ((_e539.member_1[0] >> bitcast<u32>(_e594)) & 1023u);
+                                        let _e689 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e683) * _e602)) ^ _e112)));
+                                        let _e693 = select(select(_e515.member.member_1[2], _e689, (_e689 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e683 == 1023u));
+                                        let _e696 = ((_e539.member_1[1] >> bitcast<u32>(_e554)) & 1023u);
+                                        let _e702 = (_e515.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e696) * _e562)) ^ _e112)));
+                                        let _e706 = select(select(_e515.member.member_1[0], _e702, (_e702 < _e515.member.member_1[0])), _e515.member.member_1[0], (_e696 == 1023u));
+                                        let _e709 = ((_e539.member_1[1] >> bitcast<u32>(_e574)) & 1023u);
+                                        let _e715 = (_e515.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e709) * _e582)) ^ _e112)));
+                                        let _e719 = select(select(_e515.member.member_1[1], _e715, (_e715 < _e515.member.member_1[1])), _e515.member.member_1[1], (_e709 == 1023u));
+                                        let _e722 = ((_e539.member_1[1] >> bitcast<u32>(_e594)) & 1023u);
+                                        let _e728 = (_e515.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e722) * _e602)) ^ _e112)));
+                                        let _e732 = select(select(_e515.member.member_1[2], _e728, (_e728 < _e515.member.member_1[2])), _e515.member.member_1[2], (_e722 == 1023u));
+                                        let _e737 = type_50(type_42(array<f32, 3>(_e572, _e592, _e612), array<f32, 3>(_e625, _e638, _e651)), _e539.member_2);
+                                        let _e742 = type_50(type_42(array<f32, 3>(_e667, _e680, _e693), array<f32, 3>(_e706, _e719, _e732)), _e539.member_3);
+                                        let _e749 = ((_e572 - _e312) * _e317);
+                                        let _e750 = ((_e667 - _e312) * _e317);
+                                        let _e751 = ((_e625 - _e313) * _e317);
+                                        let _e752 = ((_e706 - _e313) * _e317);
+                                        let _e757 = ((_e592 - _e350) * _e355);
+                                        let _e758 = ((_e680 - _e350) * _e355);
+                                        let _e759 = ((_e638 - _e351) * _e355);
+                                        let _e760 = ((_e719 - _e351) * _e355);
+                                        let _e765 = ((_e612 - _e388) * _e393);
+                                        let _e766 = ((_e693 - _e388) * _e393);
+                                        let _e767 = ((_e651 - _e389) * _e393);
+                                        let _e768 = ((_e732 - _e389) * _e393);
+                                        let _e770 = select(_e767, _e765, (_e765 < _e767));
+                                        let _e772 = select(_e768, _e766, (_e766 < _e768));
+                                        let _e774 = select(_e767, _e765, (_e765 > _e767));
+                                        let _e776 = select(_e768, _e766, (_e766 > _e768));
+                                        let _e778 = select(_e751, _e749, (_e749 < _e751));
+                                        let _e780 = select(_e752, _e750, (_e750 < _e752));
+                                        let _e782 = select(_e759, _e757, (_e757 < _e759));
+                                        let _e784 = select(_e760, _e758, (_e758 < _e760));
                                         let _e786 = select(_e782, _e778, (_e778 > _e782));
-                                        let _e788 = select(_e768, _e784, (_e784 > _e768));
+                                        let _e788 = select(_e784, _e780, (_e780 > _e784));
                                         let _e790 = select(_e770, _e786, (_e786 > _e770));
-                                        let _e792 = select(_e749, _e747, (_e747 > _e749));
-                                        let _e794 = select(_e750, _e748, (_e748 > _e750));
-                                        let _e796 = select(_e757, _e755, (_e755 > _e757));
-                                        let _e798 = select(_e758, _e756, (_e756 > _e758));
-                                        let _e800 = select(_e796, _e792, (_e792 < _e796));
+                                        let _e792 = select(_e772, _e788, (_e788 > _e772));
+                                        let _e794 = select(_e751, _e749, (_e749 > _e751));
+                                        let _e796 = select(_e752, _e750, (_e750 > _e752));
+                                        let _e798 = select(_e759, _e757, (_e757 > _e759));
+                                        let _e800 = select(_e760, _e758, (_e758 > _e760));
                                         let _e802 = select(_e798, _e794, (_e794 < _e798));
-                                        let _e807 = -(_e768);
-                                        let _e808 = -(_e770);
-                                        let _e815 = (select(_e772, _e800, (_e800 < _e772)) + (select(_e807, _e772, (_e772 > _e807)) * 0.0000019073523f));
-                                        let _e816 = (select(_e774, _e802, (_e802 < _e774)) + (select(_e808, _e774, (_e774 > _e808)) * 0.0000019073523f));
-                                        let _e818 = select(_e438, _e788, (_e788 > _e438));
-                                        let _e820 = select(_e438, _e790, (_e790 > _e438));
-                                        let _e825 = (_e818 <= select(_e473.member.member_1, _e815, (_e815 < _e473.member.member_1)));
-                                        let _e826 = (_e820 <= select(_e473.member.member_1, _e816, (_e816 < _e473.member.member_1)));
-                                        let _e827 = (_e818 <= _e820);
-                                        if _e825 {
-                                            if _e826 {
-                                                if _e827 {
-                                                    phi_2668_ = _e740;
+                                        let _e804 = select(_e800, _e796, (_e796 < _e800));
+                                        let _e809 = -(_e770);
+                                        let _e810 = -(_e772);
+                                        let _e817 = (select(_e774, _e802, (_e802 < _e774)) + (select(_e809, _e774, (_e774 > _e809)) * 0.0000019073523f));
+                                        let _e818 = (select(_e776, _e804, (_e804 < _e776)) + (select(_e810, _e776, (_e776 > _e810)) * 0.0000019073523f));
+                                        let _e820 = select(_e440, _e790, (_e790 > _e440));
+                                        let _e822 = select(_e440, _e792, (_e792 > _e440));
+                                        let _e827 = (_e820 <= select(_e475.member.member_1, _e817, (_e817 < _e475.member.member_1)));
+                                        let _e828 = (_e822 <= select(_e475.member.member_1, _e818, (_e818 < _e475.member.member_1)));
+                                        let _e829 = (_e820 <= _e822);
+                                        if _e827 {
+                                            if _e828 {
+                                                if _e829 {
+                                                    phi_2940_ = _e742;
                                                 } else {
-                                                    phi_2668_ = _e735;
+                                                    phi_2940_ = _e737;
                                                 }
-                                                let _e829 = phi_2668_;
-                                                let _e837 = (_e517 % 128u);
-                                                let _e838 = (_e837 < 128u);
-                                                if _e838 {
+                                                let _e831 = phi_2940_;
+                                                let _e839 = (_e519 % 128u);
+                                                let _e840 = (_e839 < 128u);
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_6[_e837] = _e829.member_1;
-                                                if _e838 {
+                                                local_6[_e839] = _e831.member_1;
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_5[_e837] = _e829.member.member[0];
-                                                if _e838 {
+                                                local_5[_e839] = _e831.member.member[0];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_4[_e837] = _e829.member.member[1];
-                                                if _e838 {
+                                                local_4[_e839] = _e831.member.member[1];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_3[_e837] = _e829.member.member[2];
-                                                if _e838 {
+                                                local_3[_e839] = _e831.member.member[2];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_2[_e837] = _e829.member.member_1[0];
-                                                if _e838 {
+                                                local_2[_e839] = _e831.member.member_1[0];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_1[_e837] = _e829.member.member_1[1];
-                                                if _e838 {
+                                                local_1[_e839] = _e831.member.member_1[1];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local[_e837] = _e829.member.member_1[2];
-                                                if _e838 {
+                                                local[_e839] = _e831.member.member_1[2];
+                                                if _e840 {
                                                 } else {
-                                                    phi_2966_ = true;
+                                                    phi_3266_ = true;
                                                     break;
                                                 }
-                                                local_7[_e837] = select(_e820, _e818, (_e818 > _e820));
-                                                if _e827 {
-                                                    phi_2745_ = _e735;
+                                                local_7[_e839] = select(_e822, _e820, (_e820 > _e822));
+                                                if _e829 {
+                                                    phi_3017_ = _e737;
                                                 } else {
-                                                    phi_2745_ = _e740;
+                                                    phi_3017_ = _e742;
                                                 }
-                                                let _e855 = phi_2745_;
-                                                phi_2746_ = _e855;
-                                                phi_2747_ = (_e517 + 1u);
+                                                let _e857 = phi_3017_;
+                                                phi_3018_ = _e857;
+                                                phi_3019_ = (_e519 + 1u);
                                             } else {
-                                                phi_2746_ = type_50();
-                                                phi_2747_ = u32();
+                                                phi_3018_ = type_50();
+                                                phi_3019_ = u32();
                                             }
-                                            let _e857 = phi_2746_;
-                                            let _e859 = phi_2747_;
-                                            phi_2749_ = _e857;
-                                            phi_2750_ = _e859;
-                                            phi_2751_ = select(true, false, _e826);
+                                            let _e859 = phi_3018_;
+                                            let _e861 = phi_3019_;
+                                            phi_3021_ = _e859;
+                                            phi_3022_ = _e861;
+                                            phi_3023_ = select(true, false, _e828);
                                         } else {
-                                            phi_2749_ = type_50();
-                                            phi_2750_ = u32();
-                                            phi_2751_ = true;
+                                            phi_3021_ = type_50();
+                                            phi_3022_ = u32();
+                                            phi_3023_ = true;
                                         }
-                                        let _e862 = phi_2749_;
-                                        let _e864 = phi_2750_;
-                                        let _e866 = phi_2751_;
-                                        if _e866 {
-                                            if _e825 {
-                                                phi_2758_ = _e735;
+                                        let _e864 = phi_3021_;
+                                        let _e866 = phi_3022_;
+                                        let _e868 = phi_3023_;
+                                        if _e868 {
+                                            if _e827 {
+                                                phi_3030_ = _e737;
                                             } else {
-                                                phi_2758_ = _e740;
+                                                phi_3030_ = _e742;
                                             }
-                                            let _e868 = phi_2758_;
-                                            phi_2763_ = _e868;
-                                            phi_2764_ = select(_e826, true, _e825);
+                                            let _e870 = phi_3030_;
+                                            phi_3035_ = _e870;
+                                            phi_3036_ = select(_e828, true, _e827);
                                         } else {
-                                            phi_2763_ = _e862;
-                                            phi_2764_ = _e515;
+                                            phi_3035_ = _e864;
+                                            phi_3036_ = _e517;
                                         }
-                                        let _e871 = phi_2763_;
-                                        let _e873 = phi_2764_;
-                                        phi_2970_ = _e471;
-                                        phi_2766_ = type_33(_e473.member, (_e473.member_1 + 1u), _e473.member_2);
-                                        phi_2767_ = _e871;
-                                        phi_2768_ = _e873;
-                                        phi_2769_ = select(_e864, _e517, _e866);
+                                        let _e873 = phi_3035_;
+                                        let _e875 = phi_3036_;
+                                        phi_3270_ = _e473;
+                                        phi_3038_ = type_33(_e475.member, (_e475.member_1 + 1u), _e475.member_2);
+                                        phi_3039_ = _e873;
+                                        phi_3040_ = _e875;
+                                        phi_3041_ = select(_e866, _e519, _e868);
                                     }
-                                    let _e1371 = phi_2970_;
-                                    let _e1373 = phi_2766_;
-                                    let _e1375 = phi_2767_;
-                                    let _e1377 = phi_2768_;
-                                    let _e1379 = phi_2769_;
-                                    phi_2969_ = _e1371;
-                                    phi_2770_ = _e1373;
-                                    phi_2771_ = _e1375;
-                                    phi_2772_ = (_e477 - 1u);
-                                    phi_2773_ = _e1377;
-                                    phi_2774_ = _e1379;
+                                    let _e1553 = phi_3270_;
+                                    let _e1555 = phi_3038_;
+                                    let _e1557 = phi_3039_;
+                                    let _e1559 = phi_3040_;
+                                    let _e1561 = phi_3041_;
+                                    phi_3269_ = _e1553;
+                                    phi_3042_ = _e1555;
+                                    phi_3043_ = _e1557;
+                                    phi_3044_ = (_e479 - 1u);
+                                    phi_3045_ = _e1559;
+                                    phi_3046_ = _e1561;
                                 } else {
-                                    phi_2969_ = _e471;
-                                    phi_2770_ = _e473;
-                                    phi_2771_ = _e513;
-                                    phi_2772_ = _e477;
-                                    phi_2773_ = _e515;
-                                    phi_2774_ = _e517;
+                                    phi_3269_ = _e473;
+                                    phi_3042_ = _e475;
+                                    phi_3043_ = _e515;
+                                    phi_3044_ = _e479;
+                                    phi_3045_ = _e517;
+                                    phi_3046_ = _e519;
                                 }
-                                let _e1381 = phi_2969_;
-                                let _e1383 = phi_2770_;
-                                let _e1385 = phi_2771_;
-                                let _e1387 = phi_2772_;
-                                let _e1389 = phi_2773_;
-                                let _e1391 = phi_2774_;
-                                phi_2968_ = _e1381;
-                                phi_2775_ = _e1383;
-                                phi_2776_ = _e1385;
-                                phi_2777_ = _e1387;
-                                phi_2778_ = _e1389;
-                                phi_2779_ = _e1391;
+                                let _e1563 = phi_3269_;
+                                let _e1565 = phi_3042_;
+                                let _e1567 = phi_3043_;
+                                let _e1569 = phi_3044_;
+                                let _e1571 = phi_3045_;
+                                let _e1573 = phi_3046_;
+                                phi_3268_ = _e1563;
+                                phi_3047_ = _e1565;
+                                phi_3048_ = _e1567;
+                                phi_3049_ = _e1569;
+                                phi_3050_ = _e1571;
+                                phi_3051_ = _e1573;
                             } else {
-                                phi_2968_ = _e471;
-                                phi_2775_ = type_33();
-                                phi_2776_ = type_50();
-                                phi_2777_ = u32();
-                                phi_2778_ = bool();
-                                phi_2779_ = u32();
+                                phi_3268_ = _e473;
+                                phi_3047_ = type_33();
+                                phi_3048_ = type_50();
+                                phi_3049_ = u32();
+                                phi_3050_ = bool();
+                                phi_3051_ = u32();
                             }
-                            let _e1393 = phi_2968_;
-                            let _e1395 = phi_2775_;
-                            let _e1397 = phi_2776_;
-                            let _e1399 = phi_2777_;
-                            let _e1401 = phi_2778_;
-                            let _e1403 = phi_2779_;
-                            phi_2967_ = _e1393;
-                            phi_772_ = _e1395;
-                            phi_775_ = _e1397;
-                            phi_777_ = _e1399;
-                            phi_779_ = _e1401;
-                            phi_781_ = _e1403;
-                            phi_2780_ = _e485;
+                            let _e1575 = phi_3268_;
+                            let _e1577 = phi_3047_;
+                            let _e1579 = phi_3048_;
+                            let _e1581 = phi_3049_;
+                            let _e1583 = phi_3050_;
+                            let _e1585 = phi_3051_;
+                            phi_3267_ = _e1575;
+                            phi_777_ = _e1577;
+                            phi_780_ = _e1579;
+                            phi_782_ = _e1581;
+                            phi_784_ = _e1583;
+                            phi_786_ = _e1585;
+                            phi_3052_ = _e487;
                         } else {
-                            phi_2967_ = _e471;
-                            phi_772_ = type_33();
-                            phi_775_ = type_50();
-                            phi_777_ = u32();
-                            phi_779_ = bool();
-                            phi_781_ = u32();
-                            phi_2780_ = false;
+                            phi_3267_ = _e473;
+                            phi_777_ = type_33();
+                            phi_780_ = type_50();
+                            phi_782_ = u32();
+                            phi_784_ = bool();
+                            phi_786_ = u32();
+                            phi_3052_ = false;
                         }
-                        let _e1405 = phi_2967_;
-                        let _e1407 = phi_772_;
-                        let _e1409 = phi_775_;
-                        let _e1411 = phi_777_;
-                        let _e1413 = phi_779_;
-                        let _e1415 = phi_781_;
-                        let _e1417 = phi_2780_;
+                        let _e1587 = phi_3267_;
+                        let _e1589 = phi_777_;
+                        let _e1591 = phi_780_;
+                        let _e1593 = phi_782_;
+                        let _e1595 = phi_784_;
+                        let _e1597 = phi_786_;
+                        let _e1599 = phi_3052_;
                         continue;
                         continuing {
-                            phi_2840_ = _e1405;
-                            phi_771_ = _e1407;
-                            phi_774_ = _e1409;
-                            phi_776_ = _e1411;
-                            phi_778_ = _e1413;
-                            phi_780_ = _e1415;
-                            phi_2966_ = _e1405;
-                            break if !(_e1417);
+                            phi_3112_ = _e1587;
+                            phi_776_ = _e1589;
+                            phi_779_ = _e1591;
+                            phi_781_ = _e1593;
+                            phi_783_ = _e1595;
+                            phi_785_ = _e1597;
+                            phi_3266_ = _e1587;
+                            break if !(_e1599);
                         }
                     }
-                    let _e1420 = phi_2966_;
-                    if _e1420 {
+                    let _e1602 = phi_3266_;
+                    if _e1602 {
                         break;
                     }
-                    let _e1422 = local_10;
-                    let _e1425 = local_11;
-                    if _e126 {
+                    let _e1604 = local_10;
+                    let _e1607 = local_11;
+                    if _e128 {
                     } else {
                         break;
                     }
-                    global_5.member[_e124][0u] = _e1422.member_1;
-                    global_5.member[_e124][1u] = _e1425.member_2;
+                    global_5.member[_e126][0u] = _e1604.member_1;
+                    global_5.member[_e126][1u] = _e1607.member_2;
                 }
             }
             break;

@@ -98,385 +98,402 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_375_: i32;
-    var phi_376_: i32;
-    var phi_386_: bool;
-    var phi_396_: u32;
-    var phi_397_: u32;
-    var phi_399_: bool;
-    var phi_404_: u32;
-    var phi_416_: i32;
-    var phi_436_: i32;
-    var phi_454_: f32;
+    var phi_381_: i32;
+    var phi_382_: i32;
+    var phi_392_: bool;
+    var phi_402_: u32;
+    var phi_403_: u32;
+    var phi_405_: bool;
+    var phi_410_: u32;
+    var phi_422_: i32;
+    var phi_442_: i32;
     var phi_460_: f32;
-    var phi_471_: f32;
+    var phi_466_: f32;
     var phi_477_: f32;
-    var phi_500_: f32;
-    var phi_511_: f32;
-    var phi_520_: f32;
+    var phi_483_: f32;
+    var phi_506_: f32;
+    var phi_517_: f32;
     var phi_526_: f32;
-    var phi_537_: f32;
+    var phi_532_: f32;
     var phi_543_: f32;
-    var phi_566_: f32;
-    var phi_577_: f32;
-    var phi_586_: f32;
+    var phi_549_: f32;
+    var phi_572_: f32;
+    var phi_583_: f32;
     var phi_592_: f32;
-    var phi_603_: f32;
+    var phi_598_: f32;
     var phi_609_: f32;
-    var phi_632_: f32;
-    var phi_643_: f32;
-    var phi_743_: f32;
-    var phi_744_: f32;
-    var phi_3144_: bool;
-    var phi_834_: type_40;
-    var phi_837_: type_51;
-    var phi_839_: u32;
-    var phi_841_: bool;
-    var phi_843_: u32;
-    var phi_854_: bool;
-    var phi_940_: type_51;
-    var phi_941_: bool;
-    var phi_942_: u32;
-    var phi_2435_: u32;
-    var phi_2436_: u32;
-    var phi_2446_: u32;
-    var phi_2448_: u32;
-    var phi_2449_: bool;
-    var phi_2469_: u32;
-    var phi_2470_: u32;
-    var phi_2474_: type_52;
-    var phi_2818_: type_51;
-    var phi_2895_: type_51;
-    var phi_2896_: type_51;
-    var phi_2897_: u32;
-    var phi_2899_: type_51;
-    var phi_2900_: u32;
-    var phi_2901_: bool;
-    var phi_2910_: type_51;
-    var phi_2915_: type_51;
-    var phi_2916_: bool;
-    var phi_960_: type_40;
-    var phi_963_: type_4;
-    var phi_964_: type_4;
-    var phi_986_: type_4;
-    var phi_1010_: u32;
-    var phi_1099_: array<array<f32, 3>, 3>;
-    var phi_1570_: vec3<f32>;
-    var phi_1571_: vec3<f32>;
-    var phi_1602_: bool;
-    var phi_1611_: vec3<f32>;
-    var phi_1651_: type_25;
-    var phi_1653_: type_25;
-    var phi_1654_: bool;
-    var phi_1658_: type_25;
-    var phi_1659_: type_25;
-    var phi_1660_: type_25;
-    var phi_1661_: bool;
-    var phi_1665_: type_25;
-    var phi_1666_: bool;
-    var phi_1670_: type_25;
-    var phi_1671_: bool;
-    var phi_1675_: type_25;
-    var phi_1700_: bool;
-    var phi_1701_: bool;
-    var phi_1708_: type_40;
-    var phi_1709_: type_40;
-    var phi_1710_: type_40;
-    var phi_961_: type_40;
-    var phi_3138_: bool;
-    var phi_3256_: bool;
-    var phi_2918_: type_40;
-    var phi_2919_: type_51;
-    var phi_2920_: bool;
-    var phi_2921_: u32;
-    var phi_3255_: bool;
-    var phi_2922_: type_40;
-    var phi_2923_: type_51;
-    var phi_2924_: u32;
-    var phi_2925_: bool;
-    var phi_2926_: u32;
-    var phi_3254_: bool;
-    var phi_2927_: type_40;
-    var phi_2928_: type_51;
-    var phi_2929_: u32;
-    var phi_2930_: bool;
-    var phi_2931_: u32;
-    var phi_3253_: bool;
-    var phi_835_: type_40;
-    var phi_838_: type_51;
-    var phi_840_: u32;
-    var phi_842_: bool;
-    var phi_844_: u32;
-    var phi_2932_: bool;
-    var phi_3252_: bool;
+    var phi_615_: f32;
+    var phi_638_: f32;
+    var phi_649_: f32;
+    var phi_749_: f32;
+    var phi_750_: f32;
+    var phi_3417_: bool;
+    var phi_840_: type_40;
+    var phi_843_: type_51;
+    var phi_845_: u32;
+    var phi_847_: bool;
+    var phi_849_: u32;
+    var phi_860_: bool;
+    var phi_946_: type_51;
+    var phi_947_: bool;
+    var phi_948_: u32;
+    var phi_2708_: u32;
+    var phi_2709_: u32;
+    var phi_2719_: u32;
+    var phi_2721_: u32;
+    var phi_2722_: bool;
+    var phi_2742_: u32;
+    var phi_2743_: u32;
+    var phi_2747_: type_52;
+    var phi_3091_: type_51;
+    var phi_3168_: type_51;
+    var phi_3169_: type_51;
+    var phi_3170_: u32;
+    var phi_3172_: type_51;
+    var phi_3173_: u32;
+    var phi_3174_: bool;
+    var phi_3183_: type_51;
+    var phi_3188_: type_51;
+    var phi_3189_: bool;
+    var phi_966_: type_40;
+    var phi_969_: type_4;
+    var phi_970_: type_4;
+    var phi_992_: type_4;
+    var phi_1016_: u32;
+    var phi_1105_: array<array<f32, 3>, 3>;
+    var phi_1222_: bool;
+    var phi_1251_: bool;
+    var phi_1652_: f32;
+    var phi_1653_: f32;
+    var phi_1654_: f32;
+    var phi_1655_: f32;
+    var phi_1656_: vec3<f32>;
+    var phi_1657_: vec3<f32>;
+    var phi_1658_: vec3<f32>;
+    var phi_1659_: vec3<f32>;
+    var phi_1690_: bool;
+    var phi_1699_: vec3<f32>;
+    var phi_1866_: bool;
+    var phi_1890_: f32;
+    var phi_1891_: f32;
+    var phi_1914_: type_25;
+    var phi_1916_: type_25;
+    var phi_1917_: bool;
+    var phi_1921_: type_25;
+    var phi_1922_: type_25;
+    var phi_1923_: type_25;
+    var phi_1924_: bool;
+    var phi_1928_: type_25;
+    var phi_1929_: bool;
+    var phi_1930_: type_25;
+    var phi_1931_: bool;
+    var phi_1932_: bool;
+    var phi_1933_: type_25;
+    var phi_1934_: bool;
+    var phi_1935_: bool;
+    var phi_1943_: type_25;
+    var phi_1944_: bool;
+    var phi_1948_: type_25;
+    var phi_1973_: bool;
+    var phi_1974_: bool;
+    var phi_1981_: type_40;
+    var phi_1982_: type_40;
+    var phi_1983_: type_40;
+    var phi_967_: type_40;
+    var phi_3411_: bool;
+    var phi_3557_: bool;
+    var phi_3191_: type_40;
+    var phi_3192_: type_51;
+    var phi_3193_: bool;
+    var phi_3194_: u32;
+    var phi_3556_: bool;
+    var phi_3195_: type_40;
+    var phi_3196_: type_51;
+    var phi_3197_: u32;
+    var phi_3198_: bool;
+    var phi_3199_: u32;
+    var phi_3555_: bool;
+    var phi_3200_: type_40;
+    var phi_3201_: type_51;
+    var phi_3202_: u32;
+    var phi_3203_: bool;
+    var phi_3204_: u32;
+    var phi_3554_: bool;
+    var phi_841_: type_40;
+    var phi_844_: type_51;
+    var phi_846_: u32;
+    var phi_848_: bool;
+    var phi_850_: u32;
+    var phi_3205_: bool;
+    var phi_3553_: bool;
     var local_10: type_40;
     var local_11: type_40;
     var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e81 = global;
-            let _e83 = arrayLength((&global_5.member));
-            let _e85 = arrayLength((&global_2.member));
-            let _e93 = global_3.member[0u][0u];
-            let _e97 = global_3.member[0u][1u];
-            let _e101 = global_3.member[0u][2u];
-            let _e105 = global_3.member[0u][3u];
-            let _e109 = global_3.member[1u][0u];
-            let _e113 = global_3.member[1u][1u];
-            let _e117 = global_3.member[1u][2u];
-            let _e120 = global_1.member[0u];
-            let _e121 = bitcast<i32>(_e120);
-            let _e133 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e105) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e93), bitcast<i32>(_e97), bitcast<i32>(_e101));
-            local = array<i32, 3>(bitcast<i32>(_e109), bitcast<i32>(_e113), bitcast<i32>(_e117));
-            let _e139 = (_e81.x + (_e81.y * 2097152u));
-            let _e140 = (_e139 < arrayLength((&global_4.member)));
-            if _e140 {
-                let _e141 = (_e139 < arrayLength((&global_6.member)));
-                if _e141 {
-                    if _e140 {
+            let _e82 = global;
+            let _e84 = arrayLength((&global_5.member));
+            let _e86 = arrayLength((&global_2.member));
+            let _e94 = global_3.member[0u][0u];
+            let _e98 = global_3.member[0u][1u];
+            let _e102 = global_3.member[0u][2u];
+            let _e106 = global_3.member[0u][3u];
+            let _e110 = global_3.member[1u][0u];
+            let _e114 = global_3.member[1u][1u];
+            let _e118 = global_3.member[1u][2u];
+            let _e121 = global_1.member[0u];
+            let _e122 = bitcast<i32>(_e121);
+            let _e134 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e106) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e94), bitcast<i32>(_e98), bitcast<i32>(_e102));
+            local = array<i32, 3>(bitcast<i32>(_e110), bitcast<i32>(_e114), bitcast<i32>(_e118));
+            let _e140 = (_e82.x + (_e82.y * 2097152u));
+            let _e141 = (_e140 < arrayLength((&global_4.member)));
+            if _e141 {
+                let _e142 = (_e140 < arrayLength((&global_6.member)));
+                if _e142 {
+                    if _e141 {
                     } else {
                         break;
                     }
-                    let _e149 = global_4.member[_e139].member_2[0u];
-                    let _e151 = (bitcast<u32>(_e149) & 2147483647u);
-                    let _e156 = global_4.member[_e139].member_2[1u];
-                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                    let _e163 = global_4.member[_e139].member_2[2u];
-                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
-                    let _e170 = global_4.member[_e139].member[0u];
-                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                    let _e177 = global_4.member[_e139].member[1u];
-                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
-                    let _e184 = global_4.member[_e139].member[2u];
-                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
-                    let _e188 = select(_e158, _e151, (_e158 < _e151));
-                    let _e190 = select(_e165, _e188, (_e165 < _e188));
-                    let _e192 = select(_e172, _e190, (_e172 < _e190));
-                    let _e194 = select(_e179, _e192, (_e179 < _e192));
-                    let _e196 = select(_e186, _e194, (_e186 < _e194));
-                    let _e200 = global_4.member[_e139].member_1;
-                    let _e202 = (bitcast<u32>(_e200) & 2147483647u);
-                    let _e209 = global_4.member[_e139].member_3;
-                    let _e215 = (((select(_e202, _e196, (_e202 < _e196)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e190 > 0u));
-                    if _e215 {
-                        let _e218 = (bitcast<u32>(bitcast<f32>(_e190)) & 2147483647u);
-                        if (_e218 >= 8388608u) {
-                            phi_375_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
+                    let _e150 = global_4.member[_e140].member_2[0u];
+                    let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                    let _e157 = global_4.member[_e140].member_2[1u];
+                    let _e159 = (bitcast<u32>(_e157) & 2147483647u);
+                    let _e164 = global_4.member[_e140].member_2[2u];
+                    let _e166 = (bitcast<u32>(_e164) & 2147483647u);
+                    let _e171 = global_4.member[_e140].member[0u];
+                    let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                    let _e178 = global_4.member[_e140].member[1u];
+                    let _e180 = (bitcast<u32>(_e178) & 2147483647u);
+                    let _e185 = global_4.member[_e140].member[2u];
+                    let _e187 = (bitcast<u32>(_e185) & 2147483647u);
+                    let _e189 = select(_e159, _e152, (_e159 < _e152));
+                    let _e191 = select(_e166, _e189, (_e166 < _e189));
+                    let _e193 = select(_e173, _e191, (_e173 < _e191));
+                    let _e195 = select(_e180, _e193, (_e180 < _e193));
+                    let _e197 = select(_e187, _e195, (_e187 < _e195));
+                    let _e201 = global_4.member[_e140].member_1;
+                    let _e203 = (bitcast<u32>(_e201) & 2147483647u);
+                    let _e210 = global_4.member[_e140].member_3;
+                    let _e216 = (((select(_e203, _e197, (_e203 < _e197)) < 2139095040u) && ((bitcast<u32>(_e210) & 2147483647u) <= 2139095040u)) && (_e191 > 0u));
+                    if _e216 {
+                        let _e219 = (bitcast<u32>(bitcast<f32>(_e191)) & 2147483647u);
+                        if (_e219 >= 8388608u) {
+                            phi_381_ = (bitcast<i32>((_e219 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_375_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
+                            phi_381_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e219)), 32u, (_e219 == 0u))));
                         }
-                        let _e232 = phi_375_;
-                        phi_376_ = _e232;
+                        let _e233 = phi_381_;
+                        phi_382_ = _e233;
                     } else {
-                        phi_376_ = 0i;
+                        phi_382_ = 0i;
                     }
-                    let _e234 = phi_376_;
-                    let _e235 = (_e151 == _e190);
-                    if _e235 {
-                        phi_386_ = true;
+                    let _e235 = phi_382_;
+                    let _e236 = (_e152 == _e191);
+                    if _e236 {
+                        phi_392_ = true;
                     } else {
-                        phi_386_ = (_e158 == _e190);
+                        phi_392_ = (_e159 == _e191);
                     }
-                    let _e238 = phi_386_;
-                    let _e239 = select(1u, 0u, _e235);
-                    if _e238 {
-                        let _e240 = (_e239 + 1u);
-                        phi_396_ = _e240;
-                        phi_397_ = _e240;
-                        phi_399_ = select(true, false, (_e240 == 2u));
+                    let _e239 = phi_392_;
+                    let _e240 = select(1u, 0u, _e236);
+                    if _e239 {
+                        let _e241 = (_e240 + 1u);
+                        phi_402_ = _e241;
+                        phi_403_ = _e241;
+                        phi_405_ = select(true, false, (_e241 == 2u));
                     } else {
-                        phi_396_ = u32();
-                        phi_397_ = 0u;
-                        phi_399_ = true;
+                        phi_402_ = u32();
+                        phi_403_ = 0u;
+                        phi_405_ = true;
                     }
-                    let _e244 = phi_396_;
-                    let _e246 = phi_397_;
-                    let _e248 = phi_399_;
-                    if _e248 {
-                        phi_404_ = (_e246 + 1u);
+                    let _e245 = phi_402_;
+                    let _e247 = phi_403_;
+                    let _e249 = phi_405_;
+                    if _e249 {
+                        phi_410_ = (_e247 + 1u);
                     } else {
-                        phi_404_ = 0u;
+                        phi_410_ = 0u;
                     }
-                    let _e252 = phi_404_;
-                    let _e253 = select(_e244, _e246, _e248);
-                    let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
-                    if (_e121 < -126i) {
-                        phi_416_ = -126i;
+                    let _e253 = phi_410_;
+                    let _e254 = select(_e245, _e247, _e249);
+                    let _e255 = select(_e240, select(2u, _e240, _e239), _e249);
+                    if (_e122 < -126i) {
+                        phi_422_ = -126i;
                     } else {
-                        phi_416_ = select(_e121, 127i, (_e121 > 127i));
+                        phi_422_ = select(_e122, 127i, (_e122 > 127i));
                     }
-                    let _e259 = phi_416_;
-                    let _e264 = bitcast<f32>((bitcast<u32>((_e259 + 127i)) << bitcast<u32>(23i)));
-                    let _e270 = bitcast<f32>((bitcast<u32>(((_e121 - _e259) + 127i)) << bitcast<u32>(23i)));
-                    let _e271 = -(_e234);
-                    if (_e271 < -126i) {
-                        phi_436_ = -126i;
+                    let _e260 = phi_422_;
+                    let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
+                    let _e271 = bitcast<f32>((bitcast<u32>(((_e122 - _e260) + 127i)) << bitcast<u32>(23i)));
+                    let _e272 = -(_e235);
+                    if (_e272 < -126i) {
+                        phi_442_ = -126i;
                     } else {
-                        phi_436_ = select(_e271, 127i, (_e271 > 127i));
+                        phi_442_ = select(_e272, 127i, (_e272 > 127i));
                     }
-                    let _e276 = phi_436_;
-                    let _e281 = bitcast<f32>((bitcast<u32>((_e276 + 127i)) << bitcast<u32>(23i)));
-                    let _e287 = bitcast<f32>((bitcast<u32>(((_e271 - _e276) + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = global_4.member[_e139].member;
-                    let _e292 = (_e253 == 0u);
-                    if _e292 {
-                        phi_454_ = _e291[0];
+                    let _e277 = phi_442_;
+                    let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
+                    let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = global_4.member[_e140].member;
+                    let _e293 = (_e254 == 0u);
+                    if _e293 {
+                        phi_460_ = _e292[0];
                     } else {
-                        phi_454_ = _e291[1];
+                        phi_460_ = _e292[1];
                     }
-                    let _e296 = phi_454_;
-                    let _e297 = (_e253 == 2u);
-                    if _e297 {
-                        phi_460_ = _e291[2];
+                    let _e297 = phi_460_;
+                    let _e298 = (_e254 == 2u);
+                    if _e298 {
+                        phi_466_ = _e292[2];
                     } else {
-                        phi_460_ = _e296;
+                        phi_466_ = _e297;
                     }
-                    let _e300 = phi_460_;
-                    let _e302 = ((_e300 * _e264) * _e270);
-                    let _e303 = global_4.member[_e139].member_2;
-                    if _e292 {
-                        phi_471_ = _e303[0];
+                    let _e301 = phi_466_;
+                    let _e303 = ((_e301 * _e265) * _e271);
+                    let _e304 = global_4.member[_e140].member_2;
+                    if _e293 {
+                        phi_477_ = _e304[0];
                     } else {
-                        phi_471_ = _e303[1];
+                        phi_477_ = _e304[1];
                     }
-                    let _e307 = phi_471_;
-                    if _e297 {
-                        phi_477_ = _e303[2];
+                    let _e308 = phi_477_;
+                    if _e298 {
+                        phi_483_ = _e304[2];
                     } else {
-                        phi_477_ = _e307;
+                        phi_483_ = _e308;
                     }
-                    let _e310 = phi_477_;
-                    let _e312 = ((_e310 * _e281) * _e287);
-                    let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e316 {
-                        let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                        phi_500_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                    let _e311 = phi_483_;
+                    let _e313 = ((_e311 * _e282) * _e288);
+                    let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e317 {
+                        let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
+                        phi_506_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                     } else {
-                        phi_500_ = 0f;
+                        phi_506_ = 0f;
                     }
-                    let _e324 = phi_500_;
-                    let _e325 = (_e302 + _e324);
-                    let _e326 = (_e302 - _e324);
-                    let _e327 = select(_e312, 0f, _e316);
-                    if _e316 {
-                        phi_511_ = 38685626000000000000000000f;
+                    let _e325 = phi_506_;
+                    let _e326 = (_e303 + _e325);
+                    let _e327 = (_e303 - _e325);
+                    let _e328 = select(_e313, 0f, _e317);
+                    if _e317 {
+                        phi_517_ = 38685626000000000000000000f;
                     } else {
-                        phi_511_ = (1f / _e312);
+                        phi_517_ = (1f / _e313);
                     }
-                    let _e330 = phi_511_;
-                    let _e331 = (_e252 == 0u);
-                    if _e331 {
-                        phi_520_ = _e291[0];
+                    let _e331 = phi_517_;
+                    let _e332 = (_e253 == 0u);
+                    if _e332 {
+                        phi_526_ = _e292[0];
                     } else {
-                        phi_520_ = _e291[1];
+                        phi_526_ = _e292[1];
                     }
-                    let _e335 = phi_520_;
-                    let _e336 = (_e252 == 2u);
-                    if _e336 {
-                        phi_526_ = _e291[2];
+                    let _e336 = phi_526_;
+                    let _e337 = (_e253 == 2u);
+                    if _e337 {
+                        phi_532_ = _e292[2];
                     } else {
-                        phi_526_ = _e335;
+                        phi_532_ = _e336;
                     }
-                    let _e339 = phi_526_;
-                    let _e341 = ((_e339 * _e264) * _e270);
-                    if _e331 {
-                        phi_537_ = _e303[0];
+                    let _e340 = phi_532_;
+                    let _e342 = ((_e340 * _e265) * _e271);
+                    if _e332 {
+                        phi_543_ = _e304[0];
                     } else {
-                        phi_537_ = _e303[1];
+                        phi_543_ = _e304[1];
                     }
-                    let _e345 = phi_537_;
-                    if _e336 {
-                        phi_543_ = _e303[2];
+                    let _e346 = phi_543_;
+                    if _e337 {
+                        phi_549_ = _e304[2];
                     } else {
-                        phi_543_ = _e345;
+                        phi_549_ = _e346;
                     }
-                    let _e348 = phi_543_;
-                    let _e350 = ((_e348 * _e281) * _e287);
-                    let _e354 = (bitcast<f32>((bitcast<u32>(_e350) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e354 {
-                        let _e358 = (bitcast<f32>((bitcast<u32>(_e341) & 2147483647u)) * 0.00000011920929f);
-                        phi_566_ = select(0.00000000000011368684f, _e358, (_e358 > 0.00000000000011368684f));
+                    let _e349 = phi_549_;
+                    let _e351 = ((_e349 * _e282) * _e288);
+                    let _e355 = (bitcast<f32>((bitcast<u32>(_e351) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e355 {
+                        let _e359 = (bitcast<f32>((bitcast<u32>(_e342) & 2147483647u)) * 0.00000011920929f);
+                        phi_572_ = select(0.00000000000011368684f, _e359, (_e359 > 0.00000000000011368684f));
                     } else {
-                        phi_566_ = 0f;
+                        phi_572_ = 0f;
                     }
-                    let _e362 = phi_566_;
-                    let _e363 = (_e341 + _e362);
-                    let _e364 = (_e341 - _e362);
-                    let _e365 = select(_e350, 0f, _e354);
-                    if _e354 {
-                        phi_577_ = 38685626000000000000000000f;
+                    let _e363 = phi_572_;
+                    let _e364 = (_e342 + _e363);
+                    let _e365 = (_e342 - _e363);
+                    let _e366 = select(_e351, 0f, _e355);
+                    if _e355 {
+                        phi_583_ = 38685626000000000000000000f;
                     } else {
-                        phi_577_ = (1f / _e350);
+                        phi_583_ = (1f / _e351);
                     }
-                    let _e368 = phi_577_;
-                    let _e369 = (_e254 == 0u);
-                    if _e369 {
-                        phi_586_ = _e291[0];
+                    let _e369 = phi_583_;
+                    let _e370 = (_e255 == 0u);
+                    if _e370 {
+                        phi_592_ = _e292[0];
                     } else {
-                        phi_586_ = _e291[1];
+                        phi_592_ = _e292[1];
                     }
-                    let _e373 = phi_586_;
-                    let _e374 = (_e254 == 2u);
-                    if _e374 {
-                        phi_592_ = _e291[2];
+                    let _e374 = phi_592_;
+                    let _e375 = (_e255 == 2u);
+                    if _e375 {
+                        phi_598_ = _e292[2];
                     } else {
-                        phi_592_ = _e373;
+                        phi_598_ = _e374;
                     }
-                    let _e377 = phi_592_;
-                    let _e379 = ((_e377 * _e264) * _e270);
-                    if _e369 {
-                        phi_603_ = _e303[0];
+                    let _e378 = phi_598_;
+                    let _e380 = ((_e378 * _e265) * _e271);
+                    if _e370 {
+                        phi_609_ = _e304[0];
                     } else {
-                        phi_603_ = _e303[1];
+                        phi_609_ = _e304[1];
                     }
-                    let _e383 = phi_603_;
-                    if _e374 {
-                        phi_609_ = _e303[2];
+                    let _e384 = phi_609_;
+                    if _e375 {
+                        phi_615_ = _e304[2];
                     } else {
-                        phi_609_ = _e383;
+                        phi_615_ = _e384;
                     }
-                    let _e386 = phi_609_;
-                    let _e388 = ((_e386 * _e281) * _e287);
-                    let _e392 = (bitcast<f32>((bitcast<u32>(_e388) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e392 {
-                        let _e396 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) * 0.00000011920929f);
-                        phi_632_ = select(0.00000000000011368684f, _e396, (_e396 > 0.00000000000011368684f));
+                    let _e387 = phi_615_;
+                    let _e389 = ((_e387 * _e282) * _e288);
+                    let _e393 = (bitcast<f32>((bitcast<u32>(_e389) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e393 {
+                        let _e397 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) * 0.00000011920929f);
+                        phi_638_ = select(0.00000000000011368684f, _e397, (_e397 > 0.00000000000011368684f));
                     } else {
-                        phi_632_ = 0f;
+                        phi_638_ = 0f;
                     }
-                    let _e400 = phi_632_;
-                    let _e401 = (_e379 + _e400);
-                    let _e402 = (_e379 - _e400);
-                    let _e403 = select(_e388, 0f, _e392);
-                    if _e392 {
-                        phi_643_ = 38685626000000000000000000f;
+                    let _e401 = phi_638_;
+                    let _e402 = (_e380 + _e401);
+                    let _e403 = (_e380 - _e401);
+                    let _e404 = select(_e389, 0f, _e393);
+                    if _e393 {
+                        phi_649_ = 38685626000000000000000000f;
                     } else {
-                        phi_643_ = (1f / _e388);
+                        phi_649_ = (1f / _e389);
                     }
-                    let _e406 = phi_643_;
-                    let _e409 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
-                    let _e412 = bitcast<f32>((bitcast<u32>(_e341) & 2147483647u));
-                    let _e414 = select(_e412, _e409, (_e409 > _e412));
-                    let _e417 = bitcast<f32>((bitcast<u32>(_e379) & 2147483647u));
-                    let _e420 = (_e121 + _e234);
-                    if (_e215 && (select(_e417, _e414, (_e414 > _e417)) <= 1099511600000f)) {
-                        let _e423 = (_e420 / 3i);
-                        let _e430 = bitcast<f32>((bitcast<u32>((_e423 + 127i)) << bitcast<u32>(23i)));
-                        let _e437 = bitcast<f32>((bitcast<u32>(((_e420 - (2i * _e423)) + 127i)) << bitcast<u32>(23i)));
-                        let _e438 = (((_e200 * _e430) * _e430) * _e437);
-                        let _e440 = select(340282350000000000000000000000000000000f, _e438, (_e438 < 340282350000000000000000000000000000000f));
-                        let _e445 = (((_e209 * _e430) * _e430) * _e437);
-                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
-                        phi_743_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
-                        phi_744_ = select(-340282350000000000000000000000000000000f, _e440, (_e440 > -340282350000000000000000000000000000000f));
+                    let _e407 = phi_649_;
+                    let _e410 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
+                    let _e413 = bitcast<f32>((bitcast<u32>(_e342) & 2147483647u));
+                    let _e415 = select(_e413, _e410, (_e410 > _e413));
+                    let _e418 = bitcast<f32>((bitcast<u32>(_e380) & 2147483647u));
+                    let _e421 = (_e122 + _e235);
+                    if (_e216 && (select(_e418, _e415, (_e415 > _e418)) <= 1099511600000f)) {
+                        let _e424 = (_e421 / 3i);
+                        let _e431 = bitcast<f32>((bitcast<u32>((_e424 + 127i)) << bitcast<u32>(23i)));
+                        let _e438 = bitcast<f32>((bitcast<u32>(((_e421 - (2i * _e424)) + 127i)) << bitcast<u32>(23i)));
+                        let _e439 = (((_e201 * _e431) * _e431) * _e438);
+                        let _e441 = select(340282350000000000000000000000000000000f, _e439, (_e439 < 340282350000000000000000000000000000000f));
+                        let _e446 = (((_e210 * _e431) * _e431) * _e438);
+                        let _e448 = select(340282350000000000000000000000000000000f, _e446, (_e446 < 340282350000000000000000000000000000000f));
+                        phi_749_ = select(-340282350000000000000000000000000000000f, _e448, (_e448 > -340282350000000000000000000000000000000f));
+                        phi_750_ = select(-340282350000000000000000000000000000000f, _e441, (_e441 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_743_ = 0f;
-                        phi_744_ = 1f;
+                        phi_749_ = 0f;
+                        phi_750_ = 1f;
                     }
-                    let _e451 = phi_743_;
-                    let _e453 = phi_744_;
+                    let _e452 = phi_749_;
+                    let _e454 = phi_750_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -485,828 +502,936 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e458 = (_e253 % 3u);
-                    let _e459 = (_e458 < 3u);
-                    if _e459 {
+                    let _e459 = (_e254 % 3u);
+                    let _e460 = (_e459 < 3u);
+                    if _e460 {
                     } else {
                         break;
                     }
-                    let _e461 = local_1[_e458];
-                    let _e464 = (_e252 % 3u);
-                    let _e465 = (_e464 < 3u);
-                    if _e465 {
+                    let _e462 = local_1[_e459];
+                    let _e465 = (_e253 % 3u);
+                    let _e466 = (_e465 < 3u);
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e467 = local_1[_e464];
-                    let _e470 = (_e254 % 3u);
-                    let _e471 = (_e470 < 3u);
-                    if _e471 {
+                    let _e468 = local_1[_e465];
+                    let _e471 = (_e255 % 3u);
+                    let _e472 = (_e471 < 3u);
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e473 = local_1[_e470];
-                    if _e459 {
+                    let _e474 = local_1[_e471];
+                    if _e460 {
                     } else {
                         break;
                     }
-                    let _e478 = local[_e458];
-                    if _e465 {
+                    let _e479 = local[_e459];
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e482 = local[_e464];
-                    if _e471 {
+                    let _e483 = local[_e465];
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e486 = local[_e470];
-                    phi_3144_ = false;
-                    phi_834_ = type_40(type_33(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e451), 0u, 0u);
-                    phi_837_ = type_51(type_29(vec4<f32>((f32(_e461) * _e133), (f32(_e467) * _e133), (f32(_e473) * _e133), 0f), vec4<f32>((f32(_e478) * _e133), (f32(_e482) * _e133), (f32(_e486) * _e133), 0f)), select(0u, 2147483648u, (_e83 == 0u)));
-                    phi_839_ = ((3u * _e83) + 1u);
-                    phi_841_ = (_e453 <= _e451);
-                    phi_843_ = 0u;
+                    let _e487 = local[_e471];
+                    phi_3417_ = false;
+                    phi_840_ = type_40(type_33(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e452), 0u, 0u);
+                    phi_843_ = type_51(type_29(vec4<f32>((f32(_e462) * _e134), (f32(_e468) * _e134), (f32(_e474) * _e134), 0f), vec4<f32>((f32(_e479) * _e134), (f32(_e483) * _e134), (f32(_e487) * _e134), 0f)), select(0u, 2147483648u, (_e84 == 0u)));
+                    phi_845_ = ((3u * _e84) + 1u);
+                    phi_847_ = (_e454 <= _e452);
+                    phi_849_ = 0u;
                     loop {
-                        let _e496 = phi_3144_;
-                        let _e498 = phi_834_;
-                        let _e500 = phi_837_;
-                        let _e502 = phi_839_;
-                        let _e504 = phi_841_;
-                        let _e506 = phi_843_;
-                        local_10 = _e498;
-                        local_11 = _e498;
-                        if _e504 {
-                            phi_854_ = true;
+                        let _e497 = phi_3417_;
+                        let _e499 = phi_840_;
+                        let _e501 = phi_843_;
+                        let _e503 = phi_845_;
+                        let _e505 = phi_847_;
+                        let _e507 = phi_849_;
+                        local_10 = _e499;
+                        local_11 = _e499;
+                        if _e505 {
+                            phi_860_ = true;
                         } else {
-                            phi_854_ = (_e506 > 0u);
+                            phi_860_ = (_e507 > 0u);
                         }
-                        let _e509 = phi_854_;
-                        if _e509 {
-                            let _e510 = (_e502 > 0u);
-                            if _e510 {
-                                if _e504 {
-                                    phi_940_ = _e500;
-                                    phi_941_ = _e504;
-                                    phi_942_ = _e506;
+                        let _e510 = phi_860_;
+                        if _e510 {
+                            let _e511 = (_e503 > 0u);
+                            if _e511 {
+                                if _e505 {
+                                    phi_946_ = _e501;
+                                    phi_947_ = _e505;
+                                    phi_948_ = _e507;
                                 } else {
-                                    let _e511 = (_e506 - 1u);
-                                    let _e512 = (_e511 % 128u);
-                                    let _e513 = (_e512 < 128u);
-                                    if _e513 {
+                                    let _e512 = (_e507 - 1u);
+                                    let _e513 = (_e512 % 128u);
+                                    let _e514 = (_e513 < 128u);
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e515 = local_7[_e512];
-                                    if _e513 {
+                                    let _e516 = local_7[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e517 = local_6[_e512];
-                                    if _e513 {
+                                    let _e518 = local_6[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e519 = local_5[_e512];
-                                    if _e513 {
+                                    let _e520 = local_5[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e521 = local_4[_e512];
-                                    if _e513 {
+                                    let _e522 = local_4[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e523 = local_3[_e512];
-                                    if _e513 {
+                                    let _e524 = local_3[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e525 = local_2[_e512];
-                                    if _e513 {
+                                    let _e526 = local_2[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e530 = local_8[_e512];
-                                    if _e513 {
+                                    let _e531 = local_8[_e513];
+                                    if _e514 {
                                     } else {
-                                        phi_3252_ = true;
+                                        phi_3553_ = true;
                                         break;
                                     }
-                                    let _e533 = local_9[_e512];
-                                    phi_940_ = type_51(type_29(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
-                                    phi_941_ = (_e533 <= _e498.member.member_1);
-                                    phi_942_ = _e511;
+                                    let _e534 = local_9[_e513];
+                                    phi_946_ = type_51(type_29(vec4<f32>(_e516, _e518, _e520, 0f), vec4<f32>(_e522, _e524, _e526, 0f)), _e531);
+                                    phi_947_ = (_e534 <= _e499.member.member_1);
+                                    phi_948_ = _e512;
                                 }
-                                let _e538 = phi_940_;
-                                let _e540 = phi_941_;
-                                let _e542 = phi_942_;
-                                if _e540 {
-                                    if ((_e538.member_1 & 2147483648u) != 0u) {
-                                        phi_960_ = _e498;
-                                        phi_963_ = type_4(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e539 = phi_946_;
+                                let _e541 = phi_947_;
+                                let _e543 = phi_948_;
+                                if _e541 {
+                                    if ((_e539.member_1 & 2147483648u) != 0u) {
+                                        phi_966_ = _e499;
+                                        phi_969_ = type_4(0u, ((_e539.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1011 = phi_960_;
-                                            let _e1013 = phi_963_;
-                                            local_12 = _e1011;
-                                            if (_e1013.member < _e1013.member_1) {
-                                                phi_964_ = type_4((_e1013.member + 1u), _e1013.member_1);
-                                                phi_986_ = type_4(1u, _e1013.member);
+                                            let _e1012 = phi_966_;
+                                            let _e1014 = phi_969_;
+                                            local_12 = _e1012;
+                                            if (_e1014.member < _e1014.member_1) {
+                                                phi_970_ = type_4((_e1014.member + 1u), _e1014.member_1);
+                                                phi_992_ = type_4(1u, _e1014.member);
                                             } else {
-                                                phi_964_ = _e1013;
-                                                phi_986_ = type_4(0u, type_4().member_1);
+                                                phi_970_ = _e1014;
+                                                phi_992_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1026 = phi_964_;
-                                            let _e1028 = phi_986_;
-                                            let _e1032 = (bitcast<i32>(_e1028.member) != 0i);
-                                            if _e1032 {
-                                                let _e1038 = type_40(_e1011.member, _e1011.member_1, (_e1011.member_2 + 1u));
-                                                let _e1039 = ((_e538.member_1 & 268435455u) + _e1028.member_1);
-                                                let _e1040 = (_e1039 < _e85);
-                                                if _e1040 {
-                                                    if _e1040 {
+                                            let _e1027 = phi_970_;
+                                            let _e1029 = phi_992_;
+                                            let _e1033 = (bitcast<i32>(_e1029.member) != 0i);
+                                            if _e1033 {
+                                                let _e1039 = type_40(_e1012.member, _e1012.member_1, (_e1012.member_2 + 1u));
+                                                let _e1040 = ((_e539.member_1 & 268435455u) + _e1029.member_1);
+                                                let _e1041 = (_e1040 < _e86);
+                                                if _e1041 {
+                                                    if _e1041 {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1044 = global_2.member[_e1039].member_1;
-                                                    phi_1010_ = _e1044;
+                                                    let _e1045 = global_2.member[_e1040].member_1;
+                                                    phi_1016_ = _e1045;
                                                 } else {
-                                                    phi_1010_ = 4294967295u;
+                                                    phi_1016_ = 4294967295u;
                                                 }
-                                                let _e1046 = phi_1010_;
-                                                if (_e1039 >= _e85) {
-                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1047 = phi_1016_;
+                                                if (_e1040 >= _e86) {
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1040 {
+                                                    if _e1041 {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    if (_e458 < 9u) {
+                                                    if (_e459 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1053 = global_2.member[_e1039].member[_e458];
-                                                    if (_e464 < 9u) {
+                                                    let _e1054 = global_2.member[_e1040].member[_e459];
+                                                    if (_e465 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1059 = global_2.member[_e1039].member[_e464];
-                                                    if (_e470 < 9u) {
+                                                    let _e1060 = global_2.member[_e1040].member[_e465];
+                                                    if (_e471 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1065 = global_2.member[_e1039].member[_e470];
-                                                    let _e1067 = (3u + _e458);
-                                                    if (_e1067 < 9u) {
+                                                    let _e1066 = global_2.member[_e1040].member[_e471];
+                                                    let _e1068 = (3u + _e459);
+                                                    if (_e1068 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1073 = global_2.member[_e1039].member[_e1067];
-                                                    let _e1074 = (3u + _e464);
-                                                    if (_e1074 < 9u) {
+                                                    let _e1074 = global_2.member[_e1040].member[_e1068];
+                                                    let _e1075 = (3u + _e465);
+                                                    if (_e1075 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1080 = global_2.member[_e1039].member[_e1074];
-                                                    let _e1081 = (3u + _e470);
-                                                    if (_e1081 < 9u) {
+                                                    let _e1081 = global_2.member[_e1040].member[_e1075];
+                                                    let _e1082 = (3u + _e471);
+                                                    if (_e1082 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1087 = global_2.member[_e1039].member[_e1081];
-                                                    let _e1089 = (6u + _e458);
-                                                    if (_e1089 < 9u) {
+                                                    let _e1088 = global_2.member[_e1040].member[_e1082];
+                                                    let _e1090 = (6u + _e459);
+                                                    if (_e1090 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1095 = global_2.member[_e1039].member[_e1089];
-                                                    let _e1096 = (6u + _e464);
-                                                    if (_e1096 < 9u) {
+                                                    let _e1096 = global_2.member[_e1040].member[_e1090];
+                                                    let _e1097 = (6u + _e465);
+                                                    if (_e1097 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1102 = global_2.member[_e1039].member[_e1096];
-                                                    let _e1103 = (6u + _e470);
-                                                    if (_e1103 < 9u) {
+                                                    let _e1103 = global_2.member[_e1040].member[_e1097];
+                                                    let _e1104 = (6u + _e471);
+                                                    if (_e1104 < 9u) {
                                                     } else {
-                                                        phi_3138_ = true;
+                                                        phi_3411_ = true;
                                                         break;
                                                     }
-                                                    let _e1109 = global_2.member[_e1039].member[_e1103];
-                                                    phi_1099_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1053, _e1059, _e1065), array<f32, 3>(_e1073, _e1080, _e1087), array<f32, 3>(_e1095, _e1102, _e1109));
+                                                    let _e1110 = global_2.member[_e1040].member[_e1104];
+                                                    phi_1105_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1054, _e1060, _e1066), array<f32, 3>(_e1074, _e1081, _e1088), array<f32, 3>(_e1096, _e1103, _e1110));
                                                 }
-                                                let _e1113 = phi_1099_;
-                                                let _e1122 = (_e1113[0][2] - _e379);
-                                                let _e1125 = (((_e1113[0][0] - _e302) * _e403) - (_e1122 * _e327));
-                                                let _e1128 = (((_e1113[0][1] - _e341) * _e403) - (_e1122 * _e365));
-                                                let _e1135 = (_e1113[1][2] - _e379);
-                                                let _e1138 = (((_e1113[1][0] - _e302) * _e403) - (_e1135 * _e327));
-                                                let _e1141 = (((_e1113[1][1] - _e341) * _e403) - (_e1135 * _e365));
-                                                let _e1148 = (_e1113[2][2] - _e379);
-                                                let _e1151 = (((_e1113[2][0] - _e302) * _e403) - (_e1148 * _e327));
-                                                let _e1154 = (((_e1113[2][1] - _e341) * _e403) - (_e1148 * _e365));
-                                                let _e1155 = (_e1151 * _e1141);
-                                                let _e1156 = (_e1154 * _e1138);
-                                                let _e1157 = (_e1125 * _e1154);
-                                                let _e1158 = (_e1128 * _e1151);
-                                                let _e1159 = (_e1138 * _e1128);
-                                                let _e1160 = (_e1141 * _e1125);
-                                                let _e1165 = (((_e1155 >= _e1156) && (_e1157 >= _e1158)) && (_e1159 >= _e1160));
-                                                if (_e1165 || (((_e1155 <= _e1156) && (_e1157 <= _e1158)) && (_e1159 <= _e1160))) {
-                                                    let _e1172 = select(-1f, 1f, _e1165);
-                                                    let _e1174 = ((_e1155 - _e1156) * _e1172);
-                                                    let _e1176 = select(0f, _e1174, (_e1174 > 0f));
-                                                    let _e1178 = ((_e1157 - _e1158) * _e1172);
-                                                    let _e1180 = select(0f, _e1178, (_e1178 > 0f));
-                                                    let _e1182 = ((_e1159 - _e1160) * _e1172);
-                                                    let _e1184 = select(0f, _e1182, (_e1182 > 0f));
-                                                    let _e1186 = ((_e1176 + _e1180) + _e1184);
-                                                    if (_e1186 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1665_ = type_25();
-                                                        phi_1666_ = true;
+                                                let _e1114 = phi_1105_;
+                                                let _e1123 = (_e1114[0][2] - _e380);
+                                                let _e1126 = (((_e1114[0][0] - _e303) * _e404) - (_e1123 * _e328));
+                                                let _e1129 = (((_e1114[0][1] - _e342) * _e404) - (_e1123 * _e366));
+                                                let _e1136 = (_e1114[1][2] - _e380);
+                                                let _e1139 = (((_e1114[1][0] - _e303) * _e404) - (_e1136 * _e328));
+                                                let _e1142 = (((_e1114[1][1] - _e342) * _e404) - (_e1136 * _e366));
+                                                let _e1149 = (_e1114[2][2] - _e380);
+                                                let _e1152 = (((_e1114[2][0] - _e303) * _e404) - (_e1149 * _e328));
+                                                let _e1155 = (((_e1114[2][1] - _e342) * _e404) - (_e1149 * _e366));
+                                                let _e1156 = (_e1152 * _e1142);
+                                                let _e1157 = (_e1155 * _e1139);
+                                                let _e1158 = (_e1126 * _e1155);
+                                                let _e1159 = (_e1129 * _e1152);
+                                                let _e1160 = (_e1139 * _e1129);
+                                                let _e1161 = (_e1142 * _e1126);
+                                                let _e1166 = (((_e1156 >= _e1157) && (_e1158 >= _e1159)) && (_e1160 >= _e1161));
+                                                if (_e1166 || (((_e1156 <= _e1157) && (_e1158 <= _e1159)) && (_e1160 <= _e1161))) {
+                                                    let _e1173 = select(-1f, 1f, _e1166);
+                                                    let _e1175 = ((_e1156 - _e1157) * _e1173);
+                                                    let _e1177 = select(0f, _e1175, (_e1175 > 0f));
+                                                    let _e1179 = ((_e1158 - _e1159) * _e1173);
+                                                    let _e1181 = select(0f, _e1179, (_e1179 > 0f));
+                                                    let _e1183 = ((_e1160 - _e1161) * _e1173);
+                                                    let _e1185 = select(0f, _e1183, (_e1183 > 0f));
+                                                    let _e1187 = ((_e1177 + _e1181) + _e1185);
+                                                    if (_e1187 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1933_ = type_25();
+                                                        phi_1934_ = true;
+                                                        phi_1935_ = false;
                                                     } else {
-                                                        let _e1189 = select(_e1113[1][0], _e1113[0][0], (_e1113[0][0] < _e1113[1][0]));
-                                                        let _e1193 = select(_e1113[1][0], _e1113[0][0], (_e1113[0][0] > _e1113[1][0]));
-                                                        let _e1197 = select(_e1113[1][1], _e1113[0][1], (_e1113[0][1] < _e1113[1][1]));
-                                                        let _e1201 = select(_e1113[1][1], _e1113[0][1], (_e1113[0][1] > _e1113[1][1]));
-                                                        let _e1205 = select(_e1113[1][2], _e1113[0][2], (_e1113[0][2] < _e1113[1][2]));
-                                                        let _e1209 = select(_e1113[1][2], _e1113[0][2], (_e1113[0][2] > _e1113[1][2]));
-                                                        let _e1214 = ((select(_e1113[2][0], _e1189, (_e1189 < _e1113[2][0])) - _e325) * _e330);
-                                                        let _e1215 = ((select(_e1113[2][0], _e1193, (_e1193 > _e1113[2][0])) - _e326) * _e330);
-                                                        let _e1218 = ((select(_e1113[2][1], _e1197, (_e1197 < _e1113[2][1])) - _e363) * _e368);
-                                                        let _e1219 = ((select(_e1113[2][1], _e1201, (_e1201 > _e1113[2][1])) - _e364) * _e368);
-                                                        let _e1222 = ((select(_e1113[2][2], _e1205, (_e1205 < _e1113[2][2])) - _e401) * _e406);
-                                                        let _e1223 = ((select(_e1113[2][2], _e1209, (_e1209 > _e1113[2][2])) - _e402) * _e406);
-                                                        let _e1225 = select(_e1223, _e1222, (_e1222 < _e1223));
-                                                        let _e1227 = select(_e1223, _e1222, (_e1222 > _e1223));
-                                                        let _e1229 = select(_e1215, _e1214, (_e1214 < _e1215));
-                                                        let _e1231 = select(_e1219, _e1218, (_e1218 < _e1219));
-                                                        let _e1233 = select(_e1231, _e1229, (_e1229 > _e1231));
-                                                        let _e1235 = select(_e1225, _e1233, (_e1233 > _e1225));
-                                                        let _e1237 = select(_e1215, _e1214, (_e1214 > _e1215));
-                                                        let _e1239 = select(_e1219, _e1218, (_e1218 > _e1219));
-                                                        let _e1241 = select(_e1239, _e1237, (_e1237 < _e1239));
-                                                        let _e1243 = select(_e1227, _e1241, (_e1241 < _e1227));
-                                                        let _e1244 = -(_e1225);
-                                                        let _e1250 = select(_e453, _e1235, (_e1235 > _e453));
-                                                        if (_e1250 > (_e1243 + (select(_e1244, _e1227, (_e1227 > _e1244)) * 0.0000019073523f))) {
-                                                            phi_1660_ = type_25();
-                                                            phi_1661_ = true;
+                                                        let _e1190 = select(_e1139, _e1126, (_e1126 < _e1139));
+                                                        if (select(_e1152, _e1190, (_e1190 < _e1152)) > 0f) {
+                                                            phi_1222_ = true;
                                                         } else {
-                                                            let _e1252 = (_e1250 > _e1011.member.member_1);
-                                                            if _e1252 {
-                                                                phi_1659_ = type_25();
+                                                            let _e1195 = select(_e1139, _e1126, (_e1126 > _e1139));
+                                                            phi_1222_ = (select(_e1152, _e1195, (_e1195 > _e1152)) < 0f);
+                                                        }
+                                                        let _e1200 = phi_1222_;
+                                                        if _e1200 {
+                                                            phi_1930_ = type_25();
+                                                            phi_1931_ = true;
+                                                            phi_1932_ = false;
+                                                        } else {
+                                                            let _e1202 = select(_e1142, _e1129, (_e1129 < _e1142));
+                                                            if (select(_e1155, _e1202, (_e1202 < _e1155)) > 0f) {
+                                                                phi_1251_ = true;
                                                             } else {
-                                                                let _e1256 = (_e1113[1][0] - _e1113[0][0]);
-                                                                let _e1257 = (_e1113[1][1] - _e1113[0][1]);
-                                                                let _e1258 = (_e1113[1][2] - _e1113[0][2]);
-                                                                let _e1259 = vec3<f32>(_e1256, _e1257, _e1258);
-                                                                let _e1260 = (_e1113[2][0] - _e1113[1][0]);
-                                                                let _e1261 = (_e1113[2][1] - _e1113[1][1]);
-                                                                let _e1262 = (_e1113[2][2] - _e1113[1][2]);
-                                                                let _e1263 = vec3<f32>(_e1260, _e1261, _e1262);
-                                                                let _e1264 = (_e1113[0][0] - _e1113[2][0]);
-                                                                let _e1265 = (_e1113[0][1] - _e1113[2][1]);
-                                                                let _e1266 = (_e1113[0][2] - _e1113[2][2]);
-                                                                let _e1267 = vec3<f32>(_e1264, _e1265, _e1266);
-                                                                let _e1270 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
-                                                                let _e1273 = bitcast<f32>((bitcast<u32>(_e1257) & 2147483647u));
-                                                                let _e1275 = select(_e1273, _e1270, (_e1270 > _e1273));
-                                                                let _e1278 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                let _e1280 = select(_e1278, _e1275, (_e1275 > _e1278));
-                                                                let _e1283 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                let _e1286 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
-                                                                let _e1288 = select(_e1286, _e1283, (_e1283 > _e1286));
-                                                                let _e1291 = bitcast<f32>((bitcast<u32>(_e1262) & 2147483647u));
-                                                                let _e1293 = select(_e1291, _e1288, (_e1288 > _e1291));
-                                                                let _e1296 = bitcast<f32>((bitcast<u32>(_e1264) & 2147483647u));
-                                                                let _e1299 = bitcast<f32>((bitcast<u32>(_e1265) & 2147483647u));
-                                                                let _e1301 = select(_e1299, _e1296, (_e1296 > _e1299));
-                                                                let _e1304 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                let _e1306 = select(_e1304, _e1301, (_e1301 > _e1304));
-                                                                let _e1308 = select(_e1293, _e1280, (_e1280 > _e1293));
-                                                                let _e1310 = select(_e1306, _e1308, (_e1308 > _e1306));
-                                                                if (_e1280 == _e1310) {
-                                                                    phi_1570_ = _e1263;
-                                                                    phi_1571_ = _e1267;
+                                                                let _e1207 = select(_e1142, _e1129, (_e1129 > _e1142));
+                                                                phi_1251_ = (select(_e1155, _e1207, (_e1207 > _e1155)) < 0f);
+                                                            }
+                                                            let _e1212 = phi_1251_;
+                                                            if _e1212 {
+                                                                phi_1928_ = type_25();
+                                                                phi_1929_ = false;
+                                                            } else {
+                                                                let _e1214 = select(_e1114[1][0], _e1114[0][0], (_e1114[0][0] < _e1114[1][0]));
+                                                                let _e1218 = select(_e1114[1][0], _e1114[0][0], (_e1114[0][0] > _e1114[1][0]));
+                                                                let _e1222 = select(_e1114[1][1], _e1114[0][1], (_e1114[0][1] < _e1114[1][1]));
+                                                                let _e1226 = select(_e1114[1][1], _e1114[0][1], (_e1114[0][1] > _e1114[1][1]));
+                                                                let _e1230 = select(_e1114[1][2], _e1114[0][2], (_e1114[0][2] < _e1114[1][2]));
+                                                                let _e1234 = select(_e1114[1][2], _e1114[0][2], (_e1114[0][2] > _e1114[1][2]));
+                                                                let _e1239 = ((select(_e1114[2][0], _e1214, (_e1214 < _e1114[2][0])) - _e326) * _e331);
+                                                                let _e1240 = ((select(_e1114[2][0], _e1218, (_e1218 > _e1114[2][0])) - _e327) * _e331);
+                                                                let _e1243 = ((select(_e1114[2][1], _e1222, (_e1222 < _e1114[2][1])) - _e364) * _e369);
+                                                                let _e1244 = ((select(_e1114[2][1], _e1226, (_e1226 > _e1114[2][1])) - _e365) * _e369);
+                                                                let _e1247 = ((select(_e1114[2][2], _e1230, (_e1230 < _e1114[2][2])) - _e402) * _e407);
+                                                                let _e1248 = ((select(_e1114[2][2], _e1234, (_e1234 > _e1114[2][2])) - _e403) * _e407);
+                                                                let _e1250 = select(_e1248, _e1247, (_e1247 < _e1248));
+                                                                let _e1252 = select(_e1248, _e1247, (_e1247 > _e1248));
+                                                                let _e1254 = select(_e1240, _e1239, (_e1239 < _e1240));
+                                                                let _e1256 = select(_e1244, _e1243, (_e1243 < _e1244));
+                                                                let _e1258 = select(_e1256, _e1254, (_e1254 > _e1256));
+                                                                let _e1260 = select(_e1250, _e1258, (_e1258 > _e1250));
+                                                                let _e1262 = select(_e1240, _e1239, (_e1239 > _e1240));
+                                                                let _e1264 = select(_e1244, _e1243, (_e1243 > _e1244));
+                                                                let _e1266 = select(_e1264, _e1262, (_e1262 < _e1264));
+                                                                let _e1268 = select(_e1252, _e1266, (_e1266 < _e1252));
+                                                                let _e1269 = -(_e1250);
+                                                                let _e1275 = select(_e454, _e1260, (_e1260 > _e454));
+                                                                if (_e1275 > (_e1268 + (select(_e1269, _e1252, (_e1252 > _e1269)) * 0.0000019073523f))) {
+                                                                    phi_1923_ = type_25();
+                                                                    phi_1924_ = true;
                                                                 } else {
-                                                                    let _e1313 = vec3((_e1293 == _e1310));
-                                                                    phi_1570_ = select(_e1259, _e1267, _e1313);
-                                                                    phi_1571_ = select(_e1263, _e1259, _e1313);
-                                                                }
-                                                                let _e1317 = phi_1570_;
-                                                                let _e1319 = phi_1571_;
-                                                                let _e1326 = ((_e1317.y * _e1319.z) - (_e1319.y * _e1317.z));
-                                                                let _e1331 = ((_e1317.z * _e1319.x) - (_e1319.z * _e1317.x));
-                                                                let _e1334 = ((_e1317.x * _e1319.y) - (_e1319.x * _e1317.y));
-                                                                if (_e1176 >= _e1180) {
-                                                                    phi_1602_ = select(true, false, (_e1176 >= _e1184));
-                                                                } else {
-                                                                    phi_1602_ = true;
-                                                                }
-                                                                let _e1339 = phi_1602_;
-                                                                if _e1339 {
-                                                                    phi_1611_ = select(vec3<f32>(_e1113[2][0], _e1113[2][1], _e1113[2][2]), vec3<f32>(_e1113[1][0], _e1113[1][1], _e1113[1][2]), vec3((_e1180 >= _e1184)));
-                                                                } else {
-                                                                    phi_1611_ = vec3<f32>(_e1113[0][0], _e1113[0][1], _e1113[0][2]);
-                                                                }
-                                                                let _e1344 = phi_1611_;
-                                                                let _e1361 = ((((_e1326 * (_e1344.x - _e302)) + (_e1331 * (_e1344.y - _e341))) + (_e1334 * (_e1344.z - _e379))) / (((_e1326 * _e327) + (_e1331 * _e365)) + (_e1334 * _e403)));
-                                                                let _e1363 = select(_e1243, _e1361, (_e1361 < _e1243));
-                                                                let _e1365 = select(_e1235, _e1363, (_e1363 > _e1235));
-                                                                if (_e1365 >= _e453) {
-                                                                    let _e1367 = (_e1365 <= _e1011.member.member_1);
-                                                                    if _e1367 {
-                                                                        let _e1368 = (1f / _e1186);
-                                                                        phi_1651_ = type_25(_e1365, (_e1180 * _e1368), (_e1184 * _e1368), _e1046);
+                                                                    let _e1277 = (_e1275 > _e1012.member.member_1);
+                                                                    if _e1277 {
+                                                                        phi_1922_ = type_25();
                                                                     } else {
-                                                                        phi_1651_ = type_25();
+                                                                        let _e1278 = vec3<f32>(_e1114[0][0], _e1114[0][1], _e1114[0][2]);
+                                                                        let _e1279 = vec3<f32>(_e1114[1][0], _e1114[1][1], _e1114[1][2]);
+                                                                        let _e1280 = vec3<f32>(_e1114[2][0], _e1114[2][1], _e1114[2][2]);
+                                                                        let _e1281 = (_e1114[1][0] - _e1114[0][0]);
+                                                                        let _e1282 = (_e1114[1][1] - _e1114[0][1]);
+                                                                        let _e1283 = (_e1114[1][2] - _e1114[0][2]);
+                                                                        let _e1284 = vec3<f32>(_e1281, _e1282, _e1283);
+                                                                        let _e1285 = (_e1114[2][0] - _e1114[1][0]);
+                                                                        let _e1286 = (_e1114[2][1] - _e1114[1][1]);
+                                                                        let _e1287 = (_e1114[2][2] - _e1114[1][2]);
+                                                                        let _e1288 = vec3<f32>(_e1285, _e1286, _e1287);
+                                                                        let _e1289 = (_e1114[0][0] - _e1114[2][0]);
+                                                                        let _e1290 = (_e1114[0][1] - _e1114[2][1]);
+                                                                        let _e1291 = (_e1114[0][2] - _e1114[2][2]);
+                                                                        let _e1292 = vec3<f32>(_e1289, _e1290, _e1291);
+                                                                        let _e1295 = bitcast<f32>((bitcast<u32>(_e1281) & 2147483647u));
+                                                                        let _e1298 = bitcast<f32>((bitcast<u32>(_e1282) & 2147483647u));
+                                                                        let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
+                                                                        let _e1303 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
+                                                                        let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
+                                                                        let _e1308 = bitcast<f32>((bitcast<u32>(_e1285) & 2147483647u));
+                                                                        let _e1311 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
+                                                                        let _e1313 = select(_e1311, _e1308, (_e1308 > _e1311));
+                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u));
+                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
+                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1289) & 2147483647u));
+                                                                        let _e1324 = bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u));
+                                                                        let _e1326 = select(_e1324, _e1321, (_e1321 > _e1324));
+                                                                        let _e1329 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
+                                                                        let _e1331 = select(_e1329, _e1326, (_e1326 > _e1329));
+                                                                        let _e1333 = select(_e1318, _e1305, (_e1305 > _e1318));
+                                                                        let _e1335 = select(_e1331, _e1333, (_e1333 > _e1331));
+                                                                        if (_e1305 == _e1335) {
+                                                                            phi_1652_ = _e1142;
+                                                                            phi_1653_ = _e1139;
+                                                                            phi_1654_ = _e1129;
+                                                                            phi_1655_ = _e1126;
+                                                                            phi_1656_ = _e1278;
+                                                                            phi_1657_ = _e1292;
+                                                                            phi_1658_ = _e1288;
+                                                                            phi_1659_ = _e1284;
+                                                                        } else {
+                                                                            let _e1337 = (_e1318 == _e1335);
+                                                                            let _e1342 = vec3(_e1337);
+                                                                            phi_1652_ = select(_e1129, _e1155, _e1337);
+                                                                            phi_1653_ = select(_e1126, _e1152, _e1337);
+                                                                            phi_1654_ = select(_e1155, _e1142, _e1337);
+                                                                            phi_1655_ = select(_e1152, _e1139, _e1337);
+                                                                            phi_1656_ = select(_e1280, _e1279, _e1342);
+                                                                            phi_1657_ = select(_e1288, _e1284, _e1342);
+                                                                            phi_1658_ = select(_e1284, _e1292, _e1342);
+                                                                            phi_1659_ = select(_e1292, _e1288, _e1342);
+                                                                        }
+                                                                        let _e1348 = phi_1652_;
+                                                                        let _e1350 = phi_1653_;
+                                                                        let _e1352 = phi_1654_;
+                                                                        let _e1354 = phi_1655_;
+                                                                        let _e1356 = phi_1656_;
+                                                                        let _e1358 = phi_1657_;
+                                                                        let _e1360 = phi_1658_;
+                                                                        let _e1362 = phi_1659_;
+                                                                        let _e1369 = ((_e1360.y * _e1358.z) - (_e1358.y * _e1360.z));
+                                                                        let _e1374 = ((_e1360.z * _e1358.x) - (_e1358.z * _e1360.x));
+                                                                        let _e1377 = ((_e1360.x * _e1358.y) - (_e1358.x * _e1360.y));
+                                                                        if (_e1177 >= _e1181) {
+                                                                            phi_1690_ = select(true, false, (_e1177 >= _e1185));
+                                                                        } else {
+                                                                            phi_1690_ = true;
+                                                                        }
+                                                                        let _e1382 = phi_1690_;
+                                                                        if _e1382 {
+                                                                            phi_1699_ = select(_e1280, _e1279, vec3((_e1181 >= _e1185)));
+                                                                        } else {
+                                                                            phi_1699_ = _e1278;
+                                                                        }
+                                                                        let _e1387 = phi_1699_;
+                                                                        let _e1392 = (((_e1369 * _e328) + (_e1374 * _e366)) + (_e1377 * _e404));
+                                                                        let _e1403 = (((_e1369 * (_e1387.x - _e303)) + (_e1374 * (_e1387.y - _e342))) + (_e1377 * (_e1387.z - _e380)));
+                                                                        let _e1405 = (_e1350 - _e1354);
+                                                                        let _e1406 = (_e1348 - _e1352);
+                                                                        let _e1414 = (-(((_e1354 * _e1405) + (_e1352 * _e1406))) / ((_e1405 * _e1405) + (_e1406 * _e1406)));
+                                                                        let _e1416 = select(1f, _e1414, (_e1414 < 1f));
+                                                                        let _e1418 = select(0f, _e1416, (_e1416 > 0f));
+                                                                        let _e1431 = ((_e1356.x + (_e1362.x * _e1418)) - _e303);
+                                                                        let _e1432 = ((_e1356.y + (_e1362.y * _e1418)) - _e342);
+                                                                        let _e1433 = ((_e1356.z + (_e1362.z * _e1418)) - _e380);
+                                                                        let _e1434 = (_e1433 / _e404);
+                                                                        let _e1446 = bitcast<f32>((bitcast<u32>(_e1431) & 2147483647u));
+                                                                        let _e1449 = bitcast<f32>((bitcast<u32>(_e1432) & 2147483647u));
+                                                                        let _e1451 = select(_e1449, _e1446, (_e1446 > _e1449));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1433) & 2147483647u));
+                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                        let _e1462 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
+                                                                        let _e1465 = bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u));
+                                                                        let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1377) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1369 * _e1431) + (_e1374 * _e1432)) + (_e1377 * _e1433)) - _e1403)) & 2147483647u)) <= ((0.0000009536743f * select(_e1335, _e1456, (_e1456 > _e1335))) * select(_e1470, _e1467, (_e1467 > _e1470)))) {
+                                                                            let _e1480 = bitcast<f32>((bitcast<u32>(_e1360.x) & 2147483647u));
+                                                                            let _e1483 = bitcast<f32>((bitcast<u32>(_e1360.y) & 2147483647u));
+                                                                            let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1360.z) & 2147483647u));
+                                                                            let _e1494 = bitcast<f32>((bitcast<u32>(_e1358.x) & 2147483647u));
+                                                                            let _e1497 = bitcast<f32>((bitcast<u32>(_e1358.y) & 2147483647u));
+                                                                            let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
+                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1358.z) & 2147483647u));
+                                                                            phi_1866_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1392) & 2147483647u)) > ((0.0000038146973f * select(_e1488, _e1485, (_e1485 > _e1488))) * select(_e1502, _e1499, (_e1499 > _e1502)))));
+                                                                        } else {
+                                                                            phi_1866_ = true;
+                                                                        }
+                                                                        let _e1509 = phi_1866_;
+                                                                        if _e1509 {
+                                                                            let _e1520 = ((((_e1369 * (_e1431 - (_e328 * _e1434))) + (_e1374 * (_e1432 - (_e366 * _e1434)))) + (_e1377 * (_e1433 - _e1433))) / _e1392);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1520) & 2147483647u)) <= _e1335) {
+                                                                                phi_1890_ = (_e1434 + _e1520);
+                                                                            } else {
+                                                                                phi_1890_ = _e1434;
+                                                                            }
+                                                                            let _e1527 = phi_1890_;
+                                                                            phi_1891_ = _e1527;
+                                                                        } else {
+                                                                            phi_1891_ = (_e1403 / _e1392);
+                                                                        }
+                                                                        let _e1529 = phi_1891_;
+                                                                        let _e1531 = select(_e1268, _e1529, (_e1529 < _e1268));
+                                                                        let _e1533 = select(_e1260, _e1531, (_e1531 > _e1260));
+                                                                        if (_e1533 >= _e454) {
+                                                                            let _e1535 = (_e1533 <= _e1012.member.member_1);
+                                                                            if _e1535 {
+                                                                                let _e1536 = (1f / _e1187);
+                                                                                phi_1914_ = type_25(_e1533, (_e1181 * _e1536), (_e1185 * _e1536), _e1047);
+                                                                            } else {
+                                                                                phi_1914_ = type_25();
+                                                                            }
+                                                                            let _e1541 = phi_1914_;
+                                                                            phi_1916_ = _e1541;
+                                                                            phi_1917_ = select(true, false, _e1535);
+                                                                        } else {
+                                                                            phi_1916_ = type_25();
+                                                                            phi_1917_ = true;
+                                                                        }
+                                                                        let _e1544 = phi_1916_;
+                                                                        let _e1546 = phi_1917_;
+                                                                        if _e1546 {
+                                                                            phi_1921_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1921_ = _e1544;
+                                                                        }
+                                                                        let _e1548 = phi_1921_;
+                                                                        phi_1922_ = _e1548;
                                                                     }
-                                                                    let _e1373 = phi_1651_;
-                                                                    phi_1653_ = _e1373;
-                                                                    phi_1654_ = select(true, false, _e1367);
-                                                                } else {
-                                                                    phi_1653_ = type_25();
-                                                                    phi_1654_ = true;
+                                                                    let _e1550 = phi_1922_;
+                                                                    phi_1923_ = _e1550;
+                                                                    phi_1924_ = _e1277;
                                                                 }
-                                                                let _e1376 = phi_1653_;
-                                                                let _e1378 = phi_1654_;
-                                                                if _e1378 {
-                                                                    phi_1658_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1658_ = _e1376;
-                                                                }
-                                                                let _e1380 = phi_1658_;
-                                                                phi_1659_ = _e1380;
+                                                                let _e1552 = phi_1923_;
+                                                                let _e1554 = phi_1924_;
+                                                                phi_1928_ = _e1552;
+                                                                phi_1929_ = _e1554;
                                                             }
-                                                            let _e1382 = phi_1659_;
-                                                            phi_1660_ = _e1382;
-                                                            phi_1661_ = _e1252;
+                                                            let _e1556 = phi_1928_;
+                                                            let _e1558 = phi_1929_;
+                                                            phi_1930_ = _e1556;
+                                                            phi_1931_ = _e1212;
+                                                            phi_1932_ = _e1558;
                                                         }
-                                                        let _e1384 = phi_1660_;
-                                                        let _e1386 = phi_1661_;
-                                                        phi_1665_ = _e1384;
-                                                        phi_1666_ = _e1386;
+                                                        let _e1560 = phi_1930_;
+                                                        let _e1562 = phi_1931_;
+                                                        let _e1564 = phi_1932_;
+                                                        phi_1933_ = _e1560;
+                                                        phi_1934_ = _e1562;
+                                                        phi_1935_ = _e1564;
                                                     }
-                                                    let _e1388 = phi_1665_;
-                                                    let _e1390 = phi_1666_;
-                                                    phi_1670_ = _e1388;
-                                                    phi_1671_ = _e1390;
+                                                    let _e1566 = phi_1933_;
+                                                    let _e1568 = phi_1934_;
+                                                    let _e1570 = phi_1935_;
+                                                    phi_1943_ = _e1566;
+                                                    phi_1944_ = select(_e1570, true, _e1568);
                                                 } else {
-                                                    phi_1670_ = type_25();
-                                                    phi_1671_ = true;
+                                                    phi_1943_ = type_25();
+                                                    phi_1944_ = true;
                                                 }
-                                                let _e1392 = phi_1670_;
-                                                let _e1394 = phi_1671_;
-                                                if _e1394 {
-                                                    phi_1675_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1573 = phi_1943_;
+                                                let _e1575 = phi_1944_;
+                                                if _e1575 {
+                                                    phi_1948_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1675_ = _e1392;
+                                                    phi_1948_ = _e1573;
                                                 }
-                                                let _e1396 = phi_1675_;
-                                                if (_e1396.member_3 != 4294967295u) {
-                                                    if (_e1046 != 4294967295u) {
-                                                        if (_e1396.member < _e1011.member.member.member) {
-                                                            phi_1701_ = true;
+                                                let _e1577 = phi_1948_;
+                                                if (_e1577.member_3 != 4294967295u) {
+                                                    if (_e1047 != 4294967295u) {
+                                                        if (_e1577.member < _e1012.member.member.member) {
+                                                            phi_1974_ = true;
                                                         } else {
-                                                            if (_e1396.member == _e1011.member.member.member) {
-                                                                phi_1700_ = (_e1396.member_3 < _e1011.member.member.member_3);
+                                                            if (_e1577.member == _e1012.member.member.member) {
+                                                                phi_1973_ = (_e1577.member_3 < _e1012.member.member.member_3);
                                                             } else {
-                                                                phi_1700_ = false;
+                                                                phi_1973_ = false;
                                                             }
-                                                            let _e1411 = phi_1700_;
-                                                            phi_1701_ = _e1411;
+                                                            let _e1592 = phi_1973_;
+                                                            phi_1974_ = _e1592;
                                                         }
-                                                        let _e1413 = phi_1701_;
-                                                        if _e1413 {
-                                                            phi_1708_ = type_40(type_33(_e1396, _e1396.member), _e1038.member_1, _e1038.member_2);
+                                                        let _e1594 = phi_1974_;
+                                                        if _e1594 {
+                                                            phi_1981_ = type_40(type_33(_e1577, _e1577.member), _e1039.member_1, _e1039.member_2);
                                                         } else {
-                                                            phi_1708_ = _e1038;
+                                                            phi_1981_ = _e1039;
                                                         }
-                                                        let _e1420 = phi_1708_;
-                                                        phi_1709_ = _e1420;
+                                                        let _e1601 = phi_1981_;
+                                                        phi_1982_ = _e1601;
                                                     } else {
-                                                        phi_1709_ = _e1038;
+                                                        phi_1982_ = _e1039;
                                                     }
-                                                    let _e1422 = phi_1709_;
-                                                    phi_1710_ = _e1422;
+                                                    let _e1603 = phi_1982_;
+                                                    phi_1983_ = _e1603;
                                                 } else {
-                                                    phi_1710_ = _e1038;
+                                                    phi_1983_ = _e1039;
                                                 }
-                                                let _e1424 = phi_1710_;
-                                                phi_961_ = _e1424;
+                                                let _e1605 = phi_1983_;
+                                                phi_967_ = _e1605;
                                             } else {
-                                                phi_961_ = type_40();
+                                                phi_967_ = type_40();
                                             }
-                                            let _e1426 = phi_961_;
+                                            let _e1607 = phi_967_;
                                             continue;
                                             continuing {
-                                                phi_960_ = _e1426;
-                                                phi_963_ = _e1026;
-                                                phi_3138_ = _e496;
-                                                break if !(_e1032);
+                                                phi_966_ = _e1607;
+                                                phi_969_ = _e1027;
+                                                phi_3411_ = _e497;
+                                                break if !(_e1033);
                                             }
                                         }
-                                        let _e1429 = phi_3138_;
-                                        phi_3252_ = _e1429;
-                                        if _e1429 {
+                                        let _e1610 = phi_3411_;
+                                        phi_3553_ = _e1610;
+                                        if _e1610 {
                                             break;
                                         }
-                                        phi_3256_ = _e1429;
-                                        let _e1582 = local_12;
-                                        phi_2918_ = _e1582;
-                                        phi_2919_ = _e538;
-                                        phi_2920_ = false;
-                                        phi_2921_ = _e542;
+                                        phi_3557_ = _e1610;
+                                        let _e1780 = local_12;
+                                        phi_3191_ = _e1780;
+                                        phi_3192_ = _e539;
+                                        phi_3193_ = false;
+                                        phi_3194_ = _e543;
                                     } else {
-                                        if (_e538.member_1 >= _e83) {
-                                            phi_2474_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e539.member_1 >= _e84) {
+                                            phi_2747_ = type_52(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_51(type_29(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e538.member_1 < _e83) {
+                                            if (_e539.member_1 < _e84) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e559 = (_e253 * 2u);
-                                            let _e561 = ((1u + _e559) % 7u);
-                                            if (_e561 < 7u) {
+                                            let _e560 = (_e254 * 2u);
+                                            let _e562 = ((1u + _e560) % 7u);
+                                            if (_e562 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e566 = global_5.member[_e538.member_1][_e561];
-                                            let _e568 = ((_e559 + 2u) % 7u);
-                                            if (_e568 < 7u) {
+                                            let _e567 = global_5.member[_e539.member_1][_e562];
+                                            let _e569 = ((_e560 + 2u) % 7u);
+                                            if (_e569 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e573 = global_5.member[_e538.member_1][_e568];
-                                            let _e574 = (_e252 * 2u);
-                                            let _e576 = ((1u + _e574) % 7u);
-                                            if (_e576 < 7u) {
+                                            let _e574 = global_5.member[_e539.member_1][_e569];
+                                            let _e575 = (_e253 * 2u);
+                                            let _e577 = ((1u + _e575) % 7u);
+                                            if (_e577 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e581 = global_5.member[_e538.member_1][_e576];
-                                            let _e583 = ((_e574 + 2u) % 7u);
-                                            if (_e583 < 7u) {
+                                            let _e582 = global_5.member[_e539.member_1][_e577];
+                                            let _e584 = ((_e575 + 2u) % 7u);
+                                            if (_e584 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e588 = global_5.member[_e538.member_1][_e583];
-                                            let _e589 = (_e254 * 2u);
-                                            let _e591 = ((1u + _e589) % 7u);
-                                            if (_e591 < 7u) {
+                                            let _e589 = global_5.member[_e539.member_1][_e584];
+                                            let _e590 = (_e255 * 2u);
+                                            let _e592 = ((1u + _e590) % 7u);
+                                            if (_e592 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e596 = global_5.member[_e538.member_1][_e591];
-                                            let _e598 = ((_e589 + 2u) % 7u);
-                                            if (_e598 < 7u) {
+                                            let _e597 = global_5.member[_e539.member_1][_e592];
+                                            let _e599 = ((_e590 + 2u) % 7u);
+                                            if (_e599 < 7u) {
                                             } else {
-                                                phi_3252_ = true;
+                                                phi_3553_ = true;
                                                 break;
                                             }
-                                            let _e603 = global_5.member[_e538.member_1][_e598];
-                                            let _e626 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e630 = select(_e133, _e626, (_e626 > _e133));
-                                            let _e632 = select(_e133, _e627, (_e627 > _e133));
-                                            let _e634 = select(_e133, _e628, (_e628 > _e133));
-                                            let _e659 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e630));
-                                            let _e664 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e667 = bitcast<f32>((_e659 & bitcast<u32>(_e664)));
-                                            let _e668 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e632));
-                                            let _e673 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
-                                            let _e677 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e634));
-                                            let _e682 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
-                                            let _e689 = bitcast<f32>((_e659 & bitcast<u32>(~(_e664))));
-                                            let _e693 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
-                                            let _e697 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
-                                            let _e698 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e630));
-                                            let _e703 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e706 = bitcast<f32>((_e698 & bitcast<u32>(_e703)));
-                                            let _e707 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e632));
-                                            let _e712 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
-                                            let _e716 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e634));
-                                            let _e721 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
-                                            let _e728 = bitcast<f32>((_e698 & bitcast<u32>(~(_e703))));
-                                            let _e732 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
-                                            let _e736 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
-                                            let _e766 = global_5.member[_e538.member_1][0u];
-                                            let _e770 = global_5.member[_e538.member_1][2u];
-                                            let _e774 = global_5.member[_e538.member_1][4u];
-                                            let _e778 = global_5.member[_e538.member_1][6u];
-                                            let _e790 = (((_e770 >> bitcast<u32>(22i)) | ((_e774 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e778 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e791 = (_e766 & 268435455u);
-                                            let _e792 = (_e790 & 268435455u);
-                                            let _e795 = ((_e766 >> bitcast<u32>(28u)) & 7u);
-                                            let _e803 = ((_e766 >> bitcast<u32>(31i)) | (((_e790 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e804 = (_e795 != 0u);
-                                            if (_e795 == 0u) {
-                                                phi_2436_ = _e791;
+                                            let _e604 = global_5.member[_e539.member_1][_e599];
+                                            let _e627 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.x - _e539.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e628 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.y - _e539.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e629 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.z - _e539.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e631 = select(_e134, _e627, (_e627 > _e134));
+                                            let _e633 = select(_e134, _e628, (_e628 > _e134));
+                                            let _e635 = select(_e134, _e629, (_e629 > _e134));
+                                            let _e660 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e631));
+                                            let _e665 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
+                                            let _e669 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e633));
+                                            let _e674 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
+                                            let _e678 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e635));
+                                            let _e683 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
+                                            let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
+                                            let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
+                                            let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
+                                            let _e699 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e631));
+                                            let _e704 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
+                                            let _e708 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e633));
+                                            let _e713 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
+                                            let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e635));
+                                            let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
+                                            let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
+                                            let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
+                                            let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
+                                            let _e767 = global_5.member[_e539.member_1][0u];
+                                            let _e771 = global_5.member[_e539.member_1][2u];
+                                            let _e775 = global_5.member[_e539.member_1][4u];
+                                            let _e779 = global_5.member[_e539.member_1][6u];
+                                            let _e791 = (((_e771 >> bitcast<u32>(22i)) | ((_e775 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e779 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e792 = (_e767 & 268435455u);
+                                            let _e793 = (_e791 & 268435455u);
+                                            let _e796 = ((_e767 >> bitcast<u32>(28u)) & 7u);
+                                            let _e804 = ((_e767 >> bitcast<u32>(31i)) | (((_e791 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e805 = (_e796 != 0u);
+                                            if (_e796 == 0u) {
+                                                phi_2709_ = _e792;
                                             } else {
-                                                if (_e795 == 7u) {
-                                                    phi_2435_ = 2147483648u;
+                                                if (_e796 == 7u) {
+                                                    phi_2708_ = 2147483648u;
                                                 } else {
-                                                    phi_2435_ = ((2147483648u | (_e795 << bitcast<u32>(28u))) | (_e792 & 268435455u));
+                                                    phi_2708_ = ((2147483648u | (_e796 << bitcast<u32>(28u))) | (_e793 & 268435455u));
                                                 }
-                                                let _e813 = phi_2435_;
-                                                phi_2436_ = _e813;
+                                                let _e814 = phi_2708_;
+                                                phi_2709_ = _e814;
                                             }
-                                            let _e815 = phi_2436_;
-                                            if _e804 {
-                                                let _e816 = (_e795 != 7u);
-                                                if _e816 {
-                                                    phi_2446_ = (_e792 + _e795);
+                                            let _e816 = phi_2709_;
+                                            if _e805 {
+                                                let _e817 = (_e796 != 7u);
+                                                if _e817 {
+                                                    phi_2719_ = (_e793 + _e796);
                                                 } else {
-                                                    phi_2446_ = u32();
+                                                    phi_2719_ = u32();
                                                 }
-                                                let _e819 = phi_2446_;
-                                                phi_2448_ = _e819;
-                                                phi_2449_ = select(true, false, _e816);
+                                                let _e820 = phi_2719_;
+                                                phi_2721_ = _e820;
+                                                phi_2722_ = select(true, false, _e817);
                                             } else {
-                                                phi_2448_ = u32();
-                                                phi_2449_ = true;
+                                                phi_2721_ = u32();
+                                                phi_2722_ = true;
                                             }
-                                            let _e822 = phi_2448_;
-                                            let _e824 = phi_2449_;
-                                            if (_e803 == 0u) {
-                                                phi_2470_ = (_e791 + select(0u, 1u, !(_e804)));
+                                            let _e823 = phi_2721_;
+                                            let _e825 = phi_2722_;
+                                            if (_e804 == 0u) {
+                                                phi_2743_ = (_e792 + select(0u, 1u, !(_e805)));
                                             } else {
-                                                if (_e803 == 7u) {
-                                                    phi_2469_ = 2147483648u;
+                                                if (_e804 == 7u) {
+                                                    phi_2742_ = 2147483648u;
                                                 } else {
-                                                    phi_2469_ = ((2147483648u | (_e803 << bitcast<u32>(28u))) | (select(_e822, _e792, _e824) & 268435455u));
+                                                    phi_2742_ = ((2147483648u | (_e804 << bitcast<u32>(28u))) | (select(_e823, _e793, _e825) & 268435455u));
                                                 }
-                                                let _e837 = phi_2469_;
-                                                phi_2470_ = _e837;
+                                                let _e838 = phi_2742_;
+                                                phi_2743_ = _e838;
                                             }
-                                            let _e839 = phi_2470_;
-                                            phi_2474_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e538.member.member.x + _e667), (_e538.member.member.x + _e689), (_e538.member.member_1.x - _e706), (_e538.member.member_1.x - _e728)), vec4<f32>((_e538.member.member.y + _e676), (_e538.member.member.y + _e693), (_e538.member.member_1.y - _e715), (_e538.member.member_1.y - _e732)), vec4<f32>((_e538.member.member.z + _e685), (_e538.member.member.z + _e697), (_e538.member.member_1.z - _e724), (_e538.member.member_1.z - _e736))), type_51(type_29((_e538.member.member + vec4<f32>(_e667, _e676, _e685, 0f)), (_e538.member.member_1 - vec4<f32>(_e706, _e715, _e724, 0f))), _e815), type_51(type_29((_e538.member.member + vec4<f32>(_e689, _e693, _e697, 0f)), (_e538.member.member_1 - vec4<f32>(_e728, _e732, _e736, 0f))), _e839));
+                                            let _e840 = phi_2743_;
+                                            phi_2747_ = type_52(array<vec4<f32>, 3>(vec4<f32>((_e539.member.member.x + _e668), (_e539.member.member.x + _e690), (_e539.member.member_1.x - _e707), (_e539.member.member_1.x - _e729)), vec4<f32>((_e539.member.member.y + _e677), (_e539.member.member.y + _e694), (_e539.member.member_1.y - _e716), (_e539.member.member_1.y - _e733)), vec4<f32>((_e539.member.member.z + _e686), (_e539.member.member.z + _e698), (_e539.member.member_1.z - _e725), (_e539.member.member_1.z - _e737))), type_51(type_29((_e539.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e539.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e816), type_51(type_29((_e539.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e539.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e840));
                                         }
-                                        let _e844 = phi_2474_;
-                                        let _e857 = ((_e844.member[0].x - _e325) * _e330);
-                                        let _e858 = ((_e844.member[0].y - _e325) * _e330);
-                                        let _e859 = ((_e844.member[0].z - _e326) * _e330);
-                                        let _e860 = ((_e844.member[0].w - _e326) * _e330);
-                                        let _e870 = ((_e844.member[1].x - _e363) * _e368);
-                                        let _e871 = ((_e844.member[1].y - _e363) * _e368);
-                                        let _e872 = ((_e844.member[1].z - _e364) * _e368);
-                                        let _e873 = ((_e844.member[1].w - _e364) * _e368);
-                                        let _e883 = ((_e844.member[2].x - _e401) * _e406);
-                                        let _e884 = ((_e844.member[2].y - _e401) * _e406);
-                                        let _e885 = ((_e844.member[2].z - _e402) * _e406);
-                                        let _e886 = ((_e844.member[2].w - _e402) * _e406);
-                                        let _e888 = select(_e885, _e883, (_e883 < _e885));
-                                        let _e890 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e892 = select(_e885, _e883, (_e883 > _e885));
-                                        let _e894 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e896 = select(_e859, _e857, (_e857 < _e859));
-                                        let _e898 = select(_e860, _e858, (_e858 < _e860));
-                                        let _e900 = select(_e872, _e870, (_e870 < _e872));
-                                        let _e902 = select(_e873, _e871, (_e871 < _e873));
-                                        let _e904 = select(_e900, _e896, (_e896 > _e900));
-                                        let _e906 = select(_e902, _e898, (_e898 > _e902));
-                                        let _e908 = select(_e888, _e904, (_e904 > _e888));
-                                        let _e910 = select(_e890, _e906, (_e906 > _e890));
-                                        let _e912 = select(_e859, _e857, (_e857 > _e859));
-                                        let _e914 = select(_e860, _e858, (_e858 > _e860));
-                                        let _e916 = select(_e872, _e870, (_e870 > _e872));
-                                        let _e918 = select(_e873, _e871, (_e871 > _e873));
-                                        let _e920 = select(_e916, _e912, (_e912 < _e916));
-                                        let _e922 = select(_e918, _e914, (_e914 < _e918));
-                                        let _e927 = -(_e888);
-                                        let _e928 = -(_e890);
-                                        let _e935 = (select(_e892, _e920, (_e920 < _e892)) + (select(_e927, _e892, (_e892 > _e927)) * 0.0000019073523f));
-                                        let _e936 = (select(_e894, _e922, (_e922 < _e894)) + (select(_e928, _e894, (_e894 > _e928)) * 0.0000019073523f));
-                                        let _e938 = select(_e453, _e908, (_e908 > _e453));
-                                        let _e940 = select(_e453, _e910, (_e910 > _e453));
-                                        let _e945 = (_e938 <= select(_e498.member.member_1, _e935, (_e935 < _e498.member.member_1)));
-                                        let _e946 = (_e940 <= select(_e498.member.member_1, _e936, (_e936 < _e498.member.member_1)));
-                                        let _e947 = (_e938 <= _e940);
-                                        if _e945 {
+                                        let _e845 = phi_2747_;
+                                        let _e858 = ((_e845.member[0].x - _e326) * _e331);
+                                        let _e859 = ((_e845.member[0].y - _e326) * _e331);
+                                        let _e860 = ((_e845.member[0].z - _e327) * _e331);
+                                        let _e861 = ((_e845.member[0].w - _e327) * _e331);
+                                        let _e871 = ((_e845.member[1].x - _e364) * _e369);
+                                        let _e872 = ((_e845.member[1].y - _e364) * _e369);
+                                        let _e873 = ((_e845.member[1].z - _e365) * _e369);
+                                        let _e874 = ((_e845.member[1].w - _e365) * _e369);
+                                        let _e884 = ((_e845.member[2].x - _e402) * _e407);
+                                        let _e885 = ((_e845.member[2].y - _e402) * _e407);
+                                        let _e886 = ((_e845.member[2].z - _e403) * _e407);
+                                        let _e887 = ((_e845.member[2].w - _e403) * _e407);
+                                        let _e889 = select(_e886, _e884, (_e884 < _e886));
+                                        let _e891 = select(_e887, _e885, (_e885 < _e887));
+                                        let _e893 = select(_e886, _e884, (_e884 > _e886));
+                                        let _e895 = select(_e887, _e885, (_e885 > _e887));
+                                        let _e897 = select(_e860, _e858, (_e858 < _e860));
+                                        let _e899 = select(_e861, _e859, (_e859 < _e861));
+                                        let _e901 = select(_e873, _e871, (_e871 < _e873));
+                                        let _e903 = select(_e874, _e872, (_e872 < _e874));
+                                        let _e905 = select(_e901, _e897, (_e897 > _e901));
+                                        let _e907 = select(_e903, _e899, (_e899 > _e903));
+                                        let _e909 = select(_e889, _e905, (_e905 > _e889));
+                                        let _e911 = select(_e891, _e907, (_e907 > _e891));
+                                        let _e913 = select(_e860, _e858, (_e858 > _e860));
+                                        let _e915 = select(_e861, _e859, (_e859 > _e861));
+                                        let _e917 = select(_e873, _e871, (_e871 > _e873));
+                                        let _e919 = select(_e874, _e872, (_e872 > _e874));
+                                        let _e921 = select(_e917, _e913, (_e913 < _e917));
+                                        let _e923 = select(_e919, _e915, (_e915 < _e919));
+                                        let _e928 = -(_e889);
+                                        let _e929 = -(_e891);
+                                        let _e936 = (select(_e893, _e921, (_e921 < _e893)) + (select(_e928, _e893, (_e893 > _e928)) * 0.0000019073523f));
+                                        let _e937 = (select(_e895, _e923, (_e923 < _e895)) + (select(_e929, _e895, (_e895 > _e929)) * 0.0000019073523f));
+                                        let _e939 = select(_e454, _e909, (_e909 > _e454));
+                                        let _e941 = select(_e454, _e911, (_e911 > _e454));
+                                        let _e946 = (_e939 <= select(_e499.member.member_1, _e936, (_e936 < _e499.member.member_1)));
+                                        let _e947 = (_e941 <= select(_e499.member.member_1, _e937, (_e937 < _e499.member.member_1)));
+                                        let _e948 = (_e939 <= _e941);
+                                        if _e946 {
+                                            if _e947 {
+                                                if _e948 {
+                                                    phi_3091_ = _e845.member_2;
+                                                } else {
+                                                    phi_3091_ = _e845.member_1;
+                                                }
+                                                let _e952 = phi_3091_;
+                                                let _e974 = (_e543 % 128u);
+                                                let _e975 = (_e974 < 128u);
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e974] = _e952.member_1;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e974] = _e952.member.member.x;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e974] = _e952.member.member.y;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e974] = _e952.member.member.z;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e974] = _e952.member.member_1.x;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e974] = _e952.member.member_1.y;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e974] = _e952.member.member_1.z;
+                                                if _e975 {
+                                                } else {
+                                                    phi_3553_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e974] = select(_e941, _e939, (_e939 > _e941));
+                                                if _e948 {
+                                                    phi_3168_ = _e845.member_1;
+                                                } else {
+                                                    phi_3168_ = _e845.member_2;
+                                                }
+                                                let _e988 = phi_3168_;
+                                                phi_3169_ = _e988;
+                                                phi_3170_ = (_e543 + 1u);
+                                            } else {
+                                                phi_3169_ = type_51();
+                                                phi_3170_ = u32();
+                                            }
+                                            let _e990 = phi_3169_;
+                                            let _e992 = phi_3170_;
+                                            phi_3172_ = _e990;
+                                            phi_3173_ = _e992;
+                                            phi_3174_ = select(true, false, _e947);
+                                        } else {
+                                            phi_3172_ = type_51();
+                                            phi_3173_ = u32();
+                                            phi_3174_ = true;
+                                        }
+                                        let _e995 = phi_3172_;
+                                        let _e997 = phi_3173_;
+                                        let _e999 = phi_3174_;
+                                        if _e999 {
                                             if _e946 {
-                                                if _e947 {
-                                                    phi_2818_ = _e844.member_2;
-                                                } else {
-                                                    phi_2818_ = _e844.member_1;
-                                                }
-                                                let _e951 = phi_2818_;
-                                                let _e973 = (_e542 % 128u);
-                                                let _e974 = (_e973 < 128u);
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e973] = _e951.member_1;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e973] = _e951.member.member.x;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e973] = _e951.member.member.y;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e973] = _e951.member.member.z;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e973] = _e951.member.member_1.x;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e973] = _e951.member.member_1.y;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e973] = _e951.member.member_1.z;
-                                                if _e974 {
-                                                } else {
-                                                    phi_3252_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e973] = select(_e940, _e938, (_e938 > _e940));
-                                                if _e947 {
-                                                    phi_2895_ = _e844.member_1;
-                                                } else {
-                                                    phi_2895_ = _e844.member_2;
-                                                }
-                                                let _e987 = phi_2895_;
-                                                phi_2896_ = _e987;
-                                                phi_2897_ = (_e542 + 1u);
+                                                phi_3183_ = _e845.member_1;
                                             } else {
-                                                phi_2896_ = type_51();
-                                                phi_2897_ = u32();
+                                                phi_3183_ = _e845.member_2;
                                             }
-                                            let _e989 = phi_2896_;
-                                            let _e991 = phi_2897_;
-                                            phi_2899_ = _e989;
-                                            phi_2900_ = _e991;
-                                            phi_2901_ = select(true, false, _e946);
+                                            let _e1003 = phi_3183_;
+                                            phi_3188_ = _e1003;
+                                            phi_3189_ = select(_e947, true, _e946);
                                         } else {
-                                            phi_2899_ = type_51();
-                                            phi_2900_ = u32();
-                                            phi_2901_ = true;
+                                            phi_3188_ = _e995;
+                                            phi_3189_ = _e541;
                                         }
-                                        let _e994 = phi_2899_;
-                                        let _e996 = phi_2900_;
-                                        let _e998 = phi_2901_;
-                                        if _e998 {
-                                            if _e945 {
-                                                phi_2910_ = _e844.member_1;
-                                            } else {
-                                                phi_2910_ = _e844.member_2;
-                                            }
-                                            let _e1002 = phi_2910_;
-                                            phi_2915_ = _e1002;
-                                            phi_2916_ = select(_e946, true, _e945);
-                                        } else {
-                                            phi_2915_ = _e994;
-                                            phi_2916_ = _e540;
-                                        }
-                                        let _e1005 = phi_2915_;
-                                        let _e1007 = phi_2916_;
-                                        phi_3256_ = _e496;
-                                        phi_2918_ = type_40(_e498.member, (_e498.member_1 + 1u), _e498.member_2);
-                                        phi_2919_ = _e1005;
-                                        phi_2920_ = _e1007;
-                                        phi_2921_ = select(_e996, _e542, _e998);
+                                        let _e1006 = phi_3188_;
+                                        let _e1008 = phi_3189_;
+                                        phi_3557_ = _e497;
+                                        phi_3191_ = type_40(_e499.member, (_e499.member_1 + 1u), _e499.member_2);
+                                        phi_3192_ = _e1006;
+                                        phi_3193_ = _e1008;
+                                        phi_3194_ = select(_e997, _e543, _e999);
                                     }
-                                    let _e1431 = phi_3256_;
-                                    let _e1433 = phi_2918_;
-                                    let _e1435 = phi_2919_;
-                                    let _e1437 = phi_2920_;
-                                    let _e1439 = phi_2921_;
-                                    phi_3255_ = _e1431;
-                                    phi_2922_ = _e1433;
-                                    phi_2923_ = _e1435;
-                                    phi_2924_ = (_e502 - 1u);
-                                    phi_2925_ = _e1437;
-                                    phi_2926_ = _e1439;
+                                    let _e1612 = phi_3557_;
+                                    let _e1614 = phi_3191_;
+                                    let _e1616 = phi_3192_;
+                                    let _e1618 = phi_3193_;
+                                    let _e1620 = phi_3194_;
+                                    phi_3556_ = _e1612;
+                                    phi_3195_ = _e1614;
+                                    phi_3196_ = _e1616;
+                                    phi_3197_ = (_e503 - 1u);
+                                    phi_3198_ = _e1618;
+                                    phi_3199_ = _e1620;
                                 } else {
-                                    phi_3255_ = _e496;
-                                    phi_2922_ = _e498;
-                                    phi_2923_ = _e538;
-                                    phi_2924_ = _e502;
-                                    phi_2925_ = _e540;
-                                    phi_2926_ = _e542;
+                                    phi_3556_ = _e497;
+                                    phi_3195_ = _e499;
+                                    phi_3196_ = _e539;
+                                    phi_3197_ = _e503;
+                                    phi_3198_ = _e541;
+                                    phi_3199_ = _e543;
                                 }
-                                let _e1441 = phi_3255_;
-                                let _e1443 = phi_2922_;
-                                let _e1445 = phi_2923_;
-                                let _e1447 = phi_2924_;
-                                let _e1449 = phi_2925_;
-                                let _e1451 = phi_2926_;
-                                phi_3254_ = _e1441;
-                                phi_2927_ = _e1443;
-                                phi_2928_ = _e1445;
-                                phi_2929_ = _e1447;
-                                phi_2930_ = _e1449;
-                                phi_2931_ = _e1451;
+                                let _e1622 = phi_3556_;
+                                let _e1624 = phi_3195_;
+                                let _e1626 = phi_3196_;
+                                let _e1628 = phi_3197_;
+                                let _e1630 = phi_3198_;
+                                let _e1632 = phi_3199_;
+                                phi_3555_ = _e1622;
+                                phi_3200_ = _e1624;
+                                phi_3201_ = _e1626;
+                                phi_3202_ = _e1628;
+                                phi_3203_ = _e1630;
+                                phi_3204_ = _e1632;
                             } else {
-                                phi_3254_ = _e496;
-                                phi_2927_ = type_40();
-                                phi_2928_ = type_51();
-                                phi_2929_ = u32();
-                                phi_2930_ = bool();
-                                phi_2931_ = u32();
+                                phi_3555_ = _e497;
+                                phi_3200_ = type_40();
+                                phi_3201_ = type_51();
+                                phi_3202_ = u32();
+                                phi_3203_ = bool();
+                                phi_3204_ = u32();
                             }
-                            let _e1453 = phi_3254_;
-                            let _e1455 = phi_2927_;
-                            let _e1457 = phi_2928_;
-                            let _e1459 = phi_2929_;
-                            let _e1461 = phi_2930_;
-                            let _e1463 = phi_2931_;
-                            phi_3253_ = _e1453;
-                            phi_835_ = _e1455;
-                            phi_838_ = _e1457;
-                            phi_840_ = _e1459;
-                            phi_842_ = _e1461;
-                            phi_844_ = _e1463;
-                            phi_2932_ = _e510;
+                            let _e1634 = phi_3555_;
+                            let _e1636 = phi_3200_;
+                            let _e1638 = phi_3201_;
+                            let _e1640 = phi_3202_;
+                            let _e1642 = phi_3203_;
+                            let _e1644 = phi_3204_;
+                            phi_3554_ = _e1634;
+                            phi_841_ = _e1636;
+                            phi_844_ = _e1638;
+                            phi_846_ = _e1640;
+                            phi_848_ = _e1642;
+                            phi_850_ = _e1644;
+                            phi_3205_ = _e511;
                         } else {
-                            phi_3253_ = _e496;
-                            phi_835_ = type_40();
-                            phi_838_ = type_51();
-                            phi_840_ = u32();
-                            phi_842_ = bool();
-                            phi_844_ = u32();
-                            phi_2932_ = false;
+                            phi_3554_ = _e497;
+                            phi_841_ = type_40();
+                            phi_844_ = type_51();
+                            phi_846_ = u32();
+                            phi_848_ = bool();
+                            phi_850_ = u32();
+                            phi_3205_ = false;
                         }
-                        let _e1465 = phi_3253_;
-                        let _e1467 = phi_835_;
-                        let _e1469 = phi_838_;
-                        let _e1471 = phi_840_;
-                        let _e1473 = phi_842_;
-                        let _e1475 = phi_844_;
-                        let _e1477 = phi_2932_;
+                        let _e1646 = phi_3554_;
+                        let _e1648 = phi_841_;
+                        let _e1650 = phi_844_;
+                        let _e1652 = phi_846_;
+                        let _e1654 = phi_848_;
+                        let _e1656 = phi_850_;
+                        let _e1658 = phi_3205_;
                         continue;
                         continuing {
-                            phi_3144_ = _e1465;
-                            phi_834_ = _e1467;
-                            phi_837_ = _e1469;
-                            phi_839_ = _e1471;
-                            phi_841_ = _e1473;
-                            phi_843_ = _e1475;
-                            phi_3252_ = _e1465;
-                            break if !(_e1477);
+                            phi_3417_ = _e1646;
+                            phi_840_ = _e1648;
+                            phi_843_ = _e1650;
+                            phi_845_ = _e1652;
+                            phi_847_ = _e1654;
+                            phi_849_ = _e1656;
+                            phi_3553_ = _e1646;
+                            break if !(_e1658);
                         }
                     }
-                    let _e1480 = phi_3252_;
-                    if _e1480 {
+                    let _e1661 = phi_3553_;
+                    if _e1661 {
                         break;
                     }
-                    let _e1482 = local_10;
-                    let _e1485 = local_11;
-                    if _e141 {
+                    let _e1663 = local_10;
+                    let _e1666 = local_11;
+                    if _e142 {
                     } else {
                         break;
                     }
-                    global_6.member[_e139][0u] = _e1482.member_1;
-                    global_6.member[_e139][1u] = _e1485.member_2;
+                    global_6.member[_e140][0u] = _e1663.member_1;
+                    global_6.member[_e140][1u] = _e1666.member_2;
                 }
             }
             break;

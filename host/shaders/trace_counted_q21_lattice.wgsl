@@ -93,419 +93,436 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_388_: i32;
-    var phi_389_: i32;
-    var phi_399_: bool;
-    var phi_409_: u32;
-    var phi_410_: u32;
-    var phi_412_: bool;
-    var phi_417_: u32;
-    var phi_429_: i32;
-    var phi_449_: i32;
-    var phi_467_: f32;
+    var phi_394_: i32;
+    var phi_395_: i32;
+    var phi_405_: bool;
+    var phi_415_: u32;
+    var phi_416_: u32;
+    var phi_418_: bool;
+    var phi_423_: u32;
+    var phi_435_: i32;
+    var phi_455_: i32;
     var phi_473_: f32;
-    var phi_484_: f32;
+    var phi_479_: f32;
     var phi_490_: f32;
-    var phi_513_: f32;
-    var phi_524_: f32;
-    var phi_533_: f32;
+    var phi_496_: f32;
+    var phi_519_: f32;
+    var phi_530_: f32;
     var phi_539_: f32;
-    var phi_550_: f32;
+    var phi_545_: f32;
     var phi_556_: f32;
-    var phi_579_: f32;
-    var phi_590_: f32;
-    var phi_599_: f32;
+    var phi_562_: f32;
+    var phi_585_: f32;
+    var phi_596_: f32;
     var phi_605_: f32;
-    var phi_616_: f32;
+    var phi_611_: f32;
     var phi_622_: f32;
-    var phi_645_: f32;
-    var phi_656_: f32;
-    var phi_756_: f32;
-    var phi_757_: f32;
-    var phi_3776_: bool;
-    var phi_847_: type_39;
-    var phi_850_: type_50;
-    var phi_852_: u32;
-    var phi_854_: bool;
-    var phi_856_: u32;
-    var phi_867_: bool;
-    var phi_953_: type_50;
-    var phi_954_: bool;
-    var phi_955_: u32;
-    var phi_2807_: u32;
-    var phi_2813_: u32;
-    var phi_3067_: u32;
-    var phi_3068_: u32;
-    var phi_3078_: u32;
+    var phi_628_: f32;
+    var phi_651_: f32;
+    var phi_662_: f32;
+    var phi_762_: f32;
+    var phi_763_: f32;
+    var phi_4049_: bool;
+    var phi_853_: type_39;
+    var phi_856_: type_50;
+    var phi_858_: u32;
+    var phi_860_: bool;
+    var phi_862_: u32;
+    var phi_873_: bool;
+    var phi_959_: type_50;
+    var phi_960_: bool;
+    var phi_961_: u32;
     var phi_3080_: u32;
-    var phi_3081_: bool;
-    var phi_3101_: u32;
-    var phi_3102_: u32;
-    var phi_3106_: type_51;
-    var phi_3450_: type_50;
-    var phi_3527_: type_50;
-    var phi_3528_: type_50;
-    var phi_3529_: u32;
-    var phi_3531_: type_50;
-    var phi_3532_: u32;
-    var phi_3533_: bool;
-    var phi_3542_: type_50;
-    var phi_3547_: type_50;
-    var phi_3548_: bool;
-    var phi_974_: type_39;
-    var phi_977_: type_8;
-    var phi_978_: type_8;
-    var phi_1000_: type_8;
-    var phi_1044_: u32;
+    var phi_3086_: u32;
+    var phi_3340_: u32;
+    var phi_3341_: u32;
+    var phi_3351_: u32;
+    var phi_3353_: u32;
+    var phi_3354_: bool;
+    var phi_3374_: u32;
+    var phi_3375_: u32;
+    var phi_3379_: type_51;
+    var phi_3723_: type_50;
+    var phi_3800_: type_50;
+    var phi_3801_: type_50;
+    var phi_3802_: u32;
+    var phi_3804_: type_50;
+    var phi_3805_: u32;
+    var phi_3806_: bool;
+    var phi_3815_: type_50;
+    var phi_3820_: type_50;
+    var phi_3821_: bool;
+    var phi_980_: type_39;
+    var phi_983_: type_8;
+    var phi_984_: type_8;
+    var phi_1006_: type_8;
     var phi_1050_: u32;
-    var phi_1060_: u32;
-    var phi_1076_: u32;
-    var phi_1109_: u32;
+    var phi_1056_: u32;
+    var phi_1066_: u32;
+    var phi_1082_: u32;
     var phi_1115_: u32;
-    var phi_1542_: u32;
-    var phi_1560_: u32;
-    var phi_1578_: u32;
-    var phi_1598_: u32;
-    var phi_1616_: u32;
-    var phi_1634_: u32;
-    var phi_1654_: u32;
-    var phi_1672_: u32;
-    var phi_1690_: u32;
-    var phi_1268_: u32;
-    var phi_1283_: u32;
-    var phi_1293_: u32;
-    var phi_1313_: u32;
-    var phi_1333_: u32;
-    var phi_1359_: u32;
-    var phi_1374_: u32;
-    var phi_1384_: u32;
-    var phi_1404_: u32;
-    var phi_1424_: u32;
-    var phi_1450_: u32;
-    var phi_1465_: u32;
-    var phi_1475_: u32;
-    var phi_1495_: u32;
-    var phi_1515_: u32;
-    var phi_1139_: u32;
-    var phi_1182_: u32;
-    var phi_1225_: u32;
-    var phi_1696_: array<array<f32, 3>, 3>;
-    var phi_2167_: vec3<f32>;
-    var phi_2168_: vec3<f32>;
-    var phi_2199_: bool;
-    var phi_2208_: vec3<f32>;
-    var phi_2248_: type_24;
-    var phi_2250_: type_24;
-    var phi_2251_: bool;
-    var phi_2255_: type_24;
-    var phi_2256_: type_24;
-    var phi_2257_: type_24;
-    var phi_2258_: bool;
-    var phi_2262_: type_24;
-    var phi_2263_: bool;
-    var phi_2267_: type_24;
-    var phi_2268_: bool;
-    var phi_2272_: type_24;
-    var phi_2297_: bool;
-    var phi_2298_: bool;
-    var phi_2305_: type_39;
-    var phi_2306_: type_39;
-    var phi_2307_: type_39;
-    var phi_975_: type_39;
-    var phi_3770_: bool;
-    var phi_3935_: bool;
-    var phi_3550_: type_39;
-    var phi_3551_: type_50;
-    var phi_3552_: bool;
-    var phi_3553_: u32;
-    var phi_3934_: bool;
-    var phi_3554_: type_39;
-    var phi_3555_: type_50;
-    var phi_3556_: u32;
-    var phi_3557_: bool;
-    var phi_3558_: u32;
-    var phi_3933_: bool;
-    var phi_3559_: type_39;
-    var phi_3560_: type_50;
-    var phi_3561_: u32;
-    var phi_3562_: bool;
-    var phi_3563_: u32;
-    var phi_3932_: bool;
-    var phi_848_: type_39;
-    var phi_851_: type_50;
-    var phi_853_: u32;
-    var phi_855_: bool;
-    var phi_857_: u32;
-    var phi_3564_: bool;
-    var phi_3931_: bool;
+    var phi_1121_: u32;
+    var phi_1548_: u32;
+    var phi_1566_: u32;
+    var phi_1584_: u32;
+    var phi_1604_: u32;
+    var phi_1622_: u32;
+    var phi_1640_: u32;
+    var phi_1660_: u32;
+    var phi_1678_: u32;
+    var phi_1696_: u32;
+    var phi_1274_: u32;
+    var phi_1289_: u32;
+    var phi_1299_: u32;
+    var phi_1319_: u32;
+    var phi_1339_: u32;
+    var phi_1365_: u32;
+    var phi_1380_: u32;
+    var phi_1390_: u32;
+    var phi_1410_: u32;
+    var phi_1430_: u32;
+    var phi_1456_: u32;
+    var phi_1471_: u32;
+    var phi_1481_: u32;
+    var phi_1501_: u32;
+    var phi_1521_: u32;
+    var phi_1145_: u32;
+    var phi_1188_: u32;
+    var phi_1231_: u32;
+    var phi_1702_: array<array<f32, 3>, 3>;
+    var phi_1819_: bool;
+    var phi_1848_: bool;
+    var phi_2249_: f32;
+    var phi_2250_: f32;
+    var phi_2251_: f32;
+    var phi_2252_: f32;
+    var phi_2253_: vec3<f32>;
+    var phi_2254_: vec3<f32>;
+    var phi_2255_: vec3<f32>;
+    var phi_2256_: vec3<f32>;
+    var phi_2287_: bool;
+    var phi_2296_: vec3<f32>;
+    var phi_2463_: bool;
+    var phi_2487_: f32;
+    var phi_2488_: f32;
+    var phi_2511_: type_24;
+    var phi_2513_: type_24;
+    var phi_2514_: bool;
+    var phi_2518_: type_24;
+    var phi_2519_: type_24;
+    var phi_2520_: type_24;
+    var phi_2521_: bool;
+    var phi_2525_: type_24;
+    var phi_2526_: bool;
+    var phi_2527_: type_24;
+    var phi_2528_: bool;
+    var phi_2529_: bool;
+    var phi_2530_: type_24;
+    var phi_2531_: bool;
+    var phi_2532_: bool;
+    var phi_2540_: type_24;
+    var phi_2541_: bool;
+    var phi_2545_: type_24;
+    var phi_2570_: bool;
+    var phi_2571_: bool;
+    var phi_2578_: type_39;
+    var phi_2579_: type_39;
+    var phi_2580_: type_39;
+    var phi_981_: type_39;
+    var phi_4043_: bool;
+    var phi_4236_: bool;
+    var phi_3823_: type_39;
+    var phi_3824_: type_50;
+    var phi_3825_: bool;
+    var phi_3826_: u32;
+    var phi_4235_: bool;
+    var phi_3827_: type_39;
+    var phi_3828_: type_50;
+    var phi_3829_: u32;
+    var phi_3830_: bool;
+    var phi_3831_: u32;
+    var phi_4234_: bool;
+    var phi_3832_: type_39;
+    var phi_3833_: type_50;
+    var phi_3834_: u32;
+    var phi_3835_: bool;
+    var phi_3836_: u32;
+    var phi_4233_: bool;
+    var phi_854_: type_39;
+    var phi_857_: type_50;
+    var phi_859_: u32;
+    var phi_861_: bool;
+    var phi_863_: u32;
+    var phi_3837_: bool;
+    var phi_4232_: bool;
     var local_10: type_39;
     var local_11: type_39;
     var local_12: type_39;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e86 = global;
-            let _e88 = arrayLength((&global_4.member));
-            let _e91 = arrayLength((&global_5.member));
-            let _e99 = global_2.member[0u][0u];
-            let _e103 = global_2.member[0u][1u];
-            let _e107 = global_2.member[0u][2u];
-            let _e111 = global_2.member[0u][3u];
-            let _e115 = global_2.member[1u][0u];
-            let _e119 = global_2.member[1u][1u];
-            let _e123 = global_2.member[1u][2u];
-            let _e126 = global_1.member[0u];
-            let _e127 = bitcast<i32>(_e126);
-            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
-            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
-            let _e145 = (_e86.x + (_e86.y * 2097152u));
-            let _e146 = (_e145 < arrayLength((&global_3.member)));
-            if _e146 {
-                let _e147 = (_e145 < arrayLength((&global_6.member)));
-                if _e147 {
-                    if _e146 {
+            let _e87 = global;
+            let _e89 = arrayLength((&global_4.member));
+            let _e92 = arrayLength((&global_5.member));
+            let _e100 = global_2.member[0u][0u];
+            let _e104 = global_2.member[0u][1u];
+            let _e108 = global_2.member[0u][2u];
+            let _e112 = global_2.member[0u][3u];
+            let _e116 = global_2.member[1u][0u];
+            let _e120 = global_2.member[1u][1u];
+            let _e124 = global_2.member[1u][2u];
+            let _e127 = global_1.member[0u];
+            let _e128 = bitcast<i32>(_e127);
+            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
+            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            let _e146 = (_e87.x + (_e87.y * 2097152u));
+            let _e147 = (_e146 < arrayLength((&global_3.member)));
+            if _e147 {
+                let _e148 = (_e146 < arrayLength((&global_6.member)));
+                if _e148 {
+                    if _e147 {
                     } else {
                         break;
                     }
-                    let _e155 = global_3.member[_e145].member_2[0u];
-                    let _e157 = (bitcast<u32>(_e155) & 2147483647u);
-                    let _e162 = global_3.member[_e145].member_2[1u];
-                    let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                    let _e169 = global_3.member[_e145].member_2[2u];
-                    let _e171 = (bitcast<u32>(_e169) & 2147483647u);
-                    let _e176 = global_3.member[_e145].member[0u];
-                    let _e178 = (bitcast<u32>(_e176) & 2147483647u);
-                    let _e183 = global_3.member[_e145].member[1u];
-                    let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                    let _e190 = global_3.member[_e145].member[2u];
-                    let _e192 = (bitcast<u32>(_e190) & 2147483647u);
-                    let _e194 = select(_e164, _e157, (_e164 < _e157));
-                    let _e196 = select(_e171, _e194, (_e171 < _e194));
-                    let _e198 = select(_e178, _e196, (_e178 < _e196));
-                    let _e200 = select(_e185, _e198, (_e185 < _e198));
-                    let _e202 = select(_e192, _e200, (_e192 < _e200));
-                    let _e206 = global_3.member[_e145].member_1;
-                    let _e208 = (bitcast<u32>(_e206) & 2147483647u);
-                    let _e215 = global_3.member[_e145].member_3;
-                    let _e221 = (((select(_e208, _e202, (_e208 < _e202)) < 2139095040u) && ((bitcast<u32>(_e215) & 2147483647u) <= 2139095040u)) && (_e196 > 0u));
-                    if _e221 {
-                        let _e224 = (bitcast<u32>(bitcast<f32>(_e196)) & 2147483647u);
-                        if (_e224 >= 8388608u) {
-                            phi_388_ = (bitcast<i32>((_e224 >> bitcast<u32>(23i))) - 127i);
+                    let _e156 = global_3.member[_e146].member_2[0u];
+                    let _e158 = (bitcast<u32>(_e156) & 2147483647u);
+                    let _e163 = global_3.member[_e146].member_2[1u];
+                    let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                    let _e170 = global_3.member[_e146].member_2[2u];
+                    let _e172 = (bitcast<u32>(_e170) & 2147483647u);
+                    let _e177 = global_3.member[_e146].member[0u];
+                    let _e179 = (bitcast<u32>(_e177) & 2147483647u);
+                    let _e184 = global_3.member[_e146].member[1u];
+                    let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                    let _e191 = global_3.member[_e146].member[2u];
+                    let _e193 = (bitcast<u32>(_e191) & 2147483647u);
+                    let _e195 = select(_e165, _e158, (_e165 < _e158));
+                    let _e197 = select(_e172, _e195, (_e172 < _e195));
+                    let _e199 = select(_e179, _e197, (_e179 < _e197));
+                    let _e201 = select(_e186, _e199, (_e186 < _e199));
+                    let _e203 = select(_e193, _e201, (_e193 < _e201));
+                    let _e207 = global_3.member[_e146].member_1;
+                    let _e209 = (bitcast<u32>(_e207) & 2147483647u);
+                    let _e216 = global_3.member[_e146].member_3;
+                    let _e222 = (((select(_e209, _e203, (_e209 < _e203)) < 2139095040u) && ((bitcast<u32>(_e216) & 2147483647u) <= 2139095040u)) && (_e197 > 0u));
+                    if _e222 {
+                        let _e225 = (bitcast<u32>(bitcast<f32>(_e197)) & 2147483647u);
+                        if (_e225 >= 8388608u) {
+                            phi_394_ = (bitcast<i32>((_e225 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_388_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e224)), 32u, (_e224 == 0u))));
+                            phi_394_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e225)), 32u, (_e225 == 0u))));
                         }
-                        let _e238 = phi_388_;
-                        phi_389_ = _e238;
+                        let _e239 = phi_394_;
+                        phi_395_ = _e239;
                     } else {
-                        phi_389_ = 0i;
+                        phi_395_ = 0i;
                     }
-                    let _e240 = phi_389_;
-                    let _e241 = (_e157 == _e196);
-                    if _e241 {
-                        phi_399_ = true;
+                    let _e241 = phi_395_;
+                    let _e242 = (_e158 == _e197);
+                    if _e242 {
+                        phi_405_ = true;
                     } else {
-                        phi_399_ = (_e164 == _e196);
+                        phi_405_ = (_e165 == _e197);
                     }
-                    let _e244 = phi_399_;
-                    let _e245 = select(1u, 0u, _e241);
-                    if _e244 {
-                        let _e246 = (_e245 + 1u);
-                        phi_409_ = _e246;
-                        phi_410_ = _e246;
-                        phi_412_ = select(true, false, (_e246 == 2u));
+                    let _e245 = phi_405_;
+                    let _e246 = select(1u, 0u, _e242);
+                    if _e245 {
+                        let _e247 = (_e246 + 1u);
+                        phi_415_ = _e247;
+                        phi_416_ = _e247;
+                        phi_418_ = select(true, false, (_e247 == 2u));
                     } else {
-                        phi_409_ = u32();
-                        phi_410_ = 0u;
-                        phi_412_ = true;
+                        phi_415_ = u32();
+                        phi_416_ = 0u;
+                        phi_418_ = true;
                     }
-                    let _e250 = phi_409_;
-                    let _e252 = phi_410_;
-                    let _e254 = phi_412_;
-                    if _e254 {
-                        phi_417_ = (_e252 + 1u);
+                    let _e251 = phi_415_;
+                    let _e253 = phi_416_;
+                    let _e255 = phi_418_;
+                    if _e255 {
+                        phi_423_ = (_e253 + 1u);
                     } else {
-                        phi_417_ = 0u;
+                        phi_423_ = 0u;
                     }
-                    let _e258 = phi_417_;
-                    let _e259 = select(_e250, _e252, _e254);
-                    let _e260 = select(_e245, select(2u, _e245, _e244), _e254);
-                    if (_e127 < -126i) {
-                        phi_429_ = -126i;
+                    let _e259 = phi_423_;
+                    let _e260 = select(_e251, _e253, _e255);
+                    let _e261 = select(_e246, select(2u, _e246, _e245), _e255);
+                    if (_e128 < -126i) {
+                        phi_435_ = -126i;
                     } else {
-                        phi_429_ = select(_e127, 127i, (_e127 > 127i));
+                        phi_435_ = select(_e128, 127i, (_e128 > 127i));
                     }
-                    let _e265 = phi_429_;
-                    let _e270 = bitcast<f32>((bitcast<u32>((_e265 + 127i)) << bitcast<u32>(23i)));
-                    let _e276 = bitcast<f32>((bitcast<u32>(((_e127 - _e265) + 127i)) << bitcast<u32>(23i)));
-                    let _e277 = -(_e240);
-                    if (_e277 < -126i) {
-                        phi_449_ = -126i;
+                    let _e266 = phi_435_;
+                    let _e271 = bitcast<f32>((bitcast<u32>((_e266 + 127i)) << bitcast<u32>(23i)));
+                    let _e277 = bitcast<f32>((bitcast<u32>(((_e128 - _e266) + 127i)) << bitcast<u32>(23i)));
+                    let _e278 = -(_e241);
+                    if (_e278 < -126i) {
+                        phi_455_ = -126i;
                     } else {
-                        phi_449_ = select(_e277, 127i, (_e277 > 127i));
+                        phi_455_ = select(_e278, 127i, (_e278 > 127i));
                     }
-                    let _e282 = phi_449_;
-                    let _e287 = bitcast<f32>((bitcast<u32>((_e282 + 127i)) << bitcast<u32>(23i)));
-                    let _e293 = bitcast<f32>((bitcast<u32>(((_e277 - _e282) + 127i)) << bitcast<u32>(23i)));
-                    let _e297 = global_3.member[_e145].member;
-                    let _e298 = (_e259 == 0u);
-                    if _e298 {
-                        phi_467_ = _e297[0];
+                    let _e283 = phi_455_;
+                    let _e288 = bitcast<f32>((bitcast<u32>((_e283 + 127i)) << bitcast<u32>(23i)));
+                    let _e294 = bitcast<f32>((bitcast<u32>(((_e278 - _e283) + 127i)) << bitcast<u32>(23i)));
+                    let _e298 = global_3.member[_e146].member;
+                    let _e299 = (_e260 == 0u);
+                    if _e299 {
+                        phi_473_ = _e298[0];
                     } else {
-                        phi_467_ = _e297[1];
+                        phi_473_ = _e298[1];
                     }
-                    let _e302 = phi_467_;
-                    let _e303 = (_e259 == 2u);
-                    if _e303 {
-                        phi_473_ = _e297[2];
+                    let _e303 = phi_473_;
+                    let _e304 = (_e260 == 2u);
+                    if _e304 {
+                        phi_479_ = _e298[2];
                     } else {
-                        phi_473_ = _e302;
+                        phi_479_ = _e303;
                     }
-                    let _e306 = phi_473_;
-                    let _e308 = ((_e306 * _e270) * _e276);
-                    let _e309 = global_3.member[_e145].member_2;
-                    if _e298 {
-                        phi_484_ = _e309[0];
+                    let _e307 = phi_479_;
+                    let _e309 = ((_e307 * _e271) * _e277);
+                    let _e310 = global_3.member[_e146].member_2;
+                    if _e299 {
+                        phi_490_ = _e310[0];
                     } else {
-                        phi_484_ = _e309[1];
+                        phi_490_ = _e310[1];
                     }
-                    let _e313 = phi_484_;
-                    if _e303 {
-                        phi_490_ = _e309[2];
+                    let _e314 = phi_490_;
+                    if _e304 {
+                        phi_496_ = _e310[2];
                     } else {
-                        phi_490_ = _e313;
+                        phi_496_ = _e314;
                     }
-                    let _e316 = phi_490_;
-                    let _e318 = ((_e316 * _e287) * _e293);
-                    let _e322 = (bitcast<f32>((bitcast<u32>(_e318) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e322 {
-                        let _e326 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) * 0.00000011920929f);
-                        phi_513_ = select(0.00000000000011368684f, _e326, (_e326 > 0.00000000000011368684f));
+                    let _e317 = phi_496_;
+                    let _e319 = ((_e317 * _e288) * _e294);
+                    let _e323 = (bitcast<f32>((bitcast<u32>(_e319) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e323 {
+                        let _e327 = (bitcast<f32>((bitcast<u32>(_e309) & 2147483647u)) * 0.00000011920929f);
+                        phi_519_ = select(0.00000000000011368684f, _e327, (_e327 > 0.00000000000011368684f));
                     } else {
-                        phi_513_ = 0f;
+                        phi_519_ = 0f;
                     }
-                    let _e330 = phi_513_;
-                    let _e331 = (_e308 + _e330);
-                    let _e332 = (_e308 - _e330);
-                    let _e333 = select(_e318, 0f, _e322);
-                    if _e322 {
-                        phi_524_ = 38685626000000000000000000f;
+                    let _e331 = phi_519_;
+                    let _e332 = (_e309 + _e331);
+                    let _e333 = (_e309 - _e331);
+                    let _e334 = select(_e319, 0f, _e323);
+                    if _e323 {
+                        phi_530_ = 38685626000000000000000000f;
                     } else {
-                        phi_524_ = (1f / _e318);
+                        phi_530_ = (1f / _e319);
                     }
-                    let _e336 = phi_524_;
-                    let _e337 = (_e258 == 0u);
-                    if _e337 {
-                        phi_533_ = _e297[0];
+                    let _e337 = phi_530_;
+                    let _e338 = (_e259 == 0u);
+                    if _e338 {
+                        phi_539_ = _e298[0];
                     } else {
-                        phi_533_ = _e297[1];
+                        phi_539_ = _e298[1];
                     }
-                    let _e341 = phi_533_;
-                    let _e342 = (_e258 == 2u);
-                    if _e342 {
-                        phi_539_ = _e297[2];
+                    let _e342 = phi_539_;
+                    let _e343 = (_e259 == 2u);
+                    if _e343 {
+                        phi_545_ = _e298[2];
                     } else {
-                        phi_539_ = _e341;
+                        phi_545_ = _e342;
                     }
-                    let _e345 = phi_539_;
-                    let _e347 = ((_e345 * _e270) * _e276);
-                    if _e337 {
-                        phi_550_ = _e309[0];
+                    let _e346 = phi_545_;
+                    let _e348 = ((_e346 * _e271) * _e277);
+                    if _e338 {
+                        phi_556_ = _e310[0];
                     } else {
-                        phi_550_ = _e309[1];
+                        phi_556_ = _e310[1];
                     }
-                    let _e351 = phi_550_;
-                    if _e342 {
-                        phi_556_ = _e309[2];
+                    let _e352 = phi_556_;
+                    if _e343 {
+                        phi_562_ = _e310[2];
                     } else {
-                        phi_556_ = _e351;
+                        phi_562_ = _e352;
                     }
-                    let _e354 = phi_556_;
-                    let _e356 = ((_e354 * _e287) * _e293);
-                    let _e360 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e360 {
-                        let _e364 = (bitcast<f32>((bitcast<u32>(_e347) & 2147483647u)) * 0.00000011920929f);
-                        phi_579_ = select(0.00000000000011368684f, _e364, (_e364 > 0.00000000000011368684f));
+                    let _e355 = phi_562_;
+                    let _e357 = ((_e355 * _e288) * _e294);
+                    let _e361 = (bitcast<f32>((bitcast<u32>(_e357) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e361 {
+                        let _e365 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) * 0.00000011920929f);
+                        phi_585_ = select(0.00000000000011368684f, _e365, (_e365 > 0.00000000000011368684f));
                     } else {
-                        phi_579_ = 0f;
+                        phi_585_ = 0f;
                     }
-                    let _e368 = phi_579_;
-                    let _e369 = (_e347 + _e368);
-                    let _e370 = (_e347 - _e368);
-                    let _e371 = select(_e356, 0f, _e360);
-                    if _e360 {
-                        phi_590_ = 38685626000000000000000000f;
+                    let _e369 = phi_585_;
+                    let _e370 = (_e348 + _e369);
+                    let _e371 = (_e348 - _e369);
+                    let _e372 = select(_e357, 0f, _e361);
+                    if _e361 {
+                        phi_596_ = 38685626000000000000000000f;
                     } else {
-                        phi_590_ = (1f / _e356);
+                        phi_596_ = (1f / _e357);
                     }
-                    let _e374 = phi_590_;
-                    let _e375 = (_e260 == 0u);
-                    if _e375 {
-                        phi_599_ = _e297[0];
+                    let _e375 = phi_596_;
+                    let _e376 = (_e261 == 0u);
+                    if _e376 {
+                        phi_605_ = _e298[0];
                     } else {
-                        phi_599_ = _e297[1];
+                        phi_605_ = _e298[1];
                     }
-                    let _e379 = phi_599_;
-                    let _e380 = (_e260 == 2u);
-                    if _e380 {
-                        phi_605_ = _e297[2];
+                    let _e380 = phi_605_;
+                    let _e381 = (_e261 == 2u);
+                    if _e381 {
+                        phi_611_ = _e298[2];
                     } else {
-                        phi_605_ = _e379;
+                        phi_611_ = _e380;
                     }
-                    let _e383 = phi_605_;
-                    let _e385 = ((_e383 * _e270) * _e276);
-                    if _e375 {
-                        phi_616_ = _e309[0];
+                    let _e384 = phi_611_;
+                    let _e386 = ((_e384 * _e271) * _e277);
+                    if _e376 {
+                        phi_622_ = _e310[0];
                     } else {
-                        phi_616_ = _e309[1];
+                        phi_622_ = _e310[1];
                     }
-                    let _e389 = phi_616_;
-                    if _e380 {
-                        phi_622_ = _e309[2];
+                    let _e390 = phi_622_;
+                    if _e381 {
+                        phi_628_ = _e310[2];
                     } else {
-                        phi_622_ = _e389;
+                        phi_628_ = _e390;
                     }
-                    let _e392 = phi_622_;
-                    let _e394 = ((_e392 * _e287) * _e293);
-                    let _e398 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e398 {
-                        let _e402 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
-                        phi_645_ = select(0.00000000000011368684f, _e402, (_e402 > 0.00000000000011368684f));
+                    let _e393 = phi_628_;
+                    let _e395 = ((_e393 * _e288) * _e294);
+                    let _e399 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e399 {
+                        let _e403 = (bitcast<f32>((bitcast<u32>(_e386) & 2147483647u)) * 0.00000011920929f);
+                        phi_651_ = select(0.00000000000011368684f, _e403, (_e403 > 0.00000000000011368684f));
                     } else {
-                        phi_645_ = 0f;
+                        phi_651_ = 0f;
                     }
-                    let _e406 = phi_645_;
-                    let _e407 = (_e385 + _e406);
-                    let _e408 = (_e385 - _e406);
-                    let _e409 = select(_e394, 0f, _e398);
-                    if _e398 {
-                        phi_656_ = 38685626000000000000000000f;
+                    let _e407 = phi_651_;
+                    let _e408 = (_e386 + _e407);
+                    let _e409 = (_e386 - _e407);
+                    let _e410 = select(_e395, 0f, _e399);
+                    if _e399 {
+                        phi_662_ = 38685626000000000000000000f;
                     } else {
-                        phi_656_ = (1f / _e394);
+                        phi_662_ = (1f / _e395);
                     }
-                    let _e412 = phi_656_;
-                    let _e415 = bitcast<f32>((bitcast<u32>(_e308) & 2147483647u));
-                    let _e418 = bitcast<f32>((bitcast<u32>(_e347) & 2147483647u));
-                    let _e420 = select(_e418, _e415, (_e415 > _e418));
-                    let _e423 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
-                    let _e426 = (_e127 + _e240);
-                    if (_e221 && (select(_e423, _e420, (_e420 > _e423)) <= 1099511600000f)) {
-                        let _e429 = (_e426 / 3i);
-                        let _e436 = bitcast<f32>((bitcast<u32>((_e429 + 127i)) << bitcast<u32>(23i)));
-                        let _e443 = bitcast<f32>((bitcast<u32>(((_e426 - (2i * _e429)) + 127i)) << bitcast<u32>(23i)));
-                        let _e444 = (((_e206 * _e436) * _e436) * _e443);
-                        let _e446 = select(340282350000000000000000000000000000000f, _e444, (_e444 < 340282350000000000000000000000000000000f));
-                        let _e451 = (((_e215 * _e436) * _e436) * _e443);
-                        let _e453 = select(340282350000000000000000000000000000000f, _e451, (_e451 < 340282350000000000000000000000000000000f));
-                        phi_756_ = select(-340282350000000000000000000000000000000f, _e453, (_e453 > -340282350000000000000000000000000000000f));
-                        phi_757_ = select(-340282350000000000000000000000000000000f, _e446, (_e446 > -340282350000000000000000000000000000000f));
+                    let _e413 = phi_662_;
+                    let _e416 = bitcast<f32>((bitcast<u32>(_e309) & 2147483647u));
+                    let _e419 = bitcast<f32>((bitcast<u32>(_e348) & 2147483647u));
+                    let _e421 = select(_e419, _e416, (_e416 > _e419));
+                    let _e424 = bitcast<f32>((bitcast<u32>(_e386) & 2147483647u));
+                    let _e427 = (_e128 + _e241);
+                    if (_e222 && (select(_e424, _e421, (_e421 > _e424)) <= 1099511600000f)) {
+                        let _e430 = (_e427 / 3i);
+                        let _e437 = bitcast<f32>((bitcast<u32>((_e430 + 127i)) << bitcast<u32>(23i)));
+                        let _e444 = bitcast<f32>((bitcast<u32>(((_e427 - (2i * _e430)) + 127i)) << bitcast<u32>(23i)));
+                        let _e445 = (((_e207 * _e437) * _e437) * _e444);
+                        let _e447 = select(340282350000000000000000000000000000000f, _e445, (_e445 < 340282350000000000000000000000000000000f));
+                        let _e452 = (((_e216 * _e437) * _e437) * _e444);
+                        let _e454 = select(340282350000000000000000000000000000000f, _e452, (_e452 < 340282350000000000000000000000000000000f));
+                        phi_762_ = select(-340282350000000000000000000000000000000f, _e454, (_e454 > -340282350000000000000000000000000000000f));
+                        phi_763_ = select(-340282350000000000000000000000000000000f, _e447, (_e447 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_756_ = 0f;
-                        phi_757_ = 1f;
+                        phi_762_ = 0f;
+                        phi_763_ = 1f;
                     }
-                    let _e457 = phi_756_;
-                    let _e459 = phi_757_;
+                    let _e458 = phi_762_;
+                    let _e460 = phi_763_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -514,1201 +531,1309 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e464 = (_e259 % 3u);
-                    let _e465 = (_e464 < 3u);
-                    if _e465 {
+                    let _e465 = (_e260 % 3u);
+                    let _e466 = (_e465 < 3u);
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e467 = local_1[_e464];
-                    let _e470 = (_e258 % 3u);
-                    let _e471 = (_e470 < 3u);
-                    if _e471 {
+                    let _e468 = local_1[_e465];
+                    let _e471 = (_e259 % 3u);
+                    let _e472 = (_e471 < 3u);
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e473 = local_1[_e470];
-                    let _e476 = (_e260 % 3u);
-                    let _e477 = (_e476 < 3u);
-                    if _e477 {
+                    let _e474 = local_1[_e471];
+                    let _e477 = (_e261 % 3u);
+                    let _e478 = (_e477 < 3u);
+                    if _e478 {
                     } else {
                         break;
                     }
-                    let _e479 = local_1[_e476];
-                    if _e465 {
+                    let _e480 = local_1[_e477];
+                    if _e466 {
                     } else {
                         break;
                     }
-                    let _e484 = local[_e464];
-                    if _e471 {
+                    let _e485 = local[_e465];
+                    if _e472 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e470];
-                    if _e477 {
+                    let _e489 = local[_e471];
+                    if _e478 {
                     } else {
                         break;
                     }
-                    let _e492 = local[_e476];
-                    phi_3776_ = false;
-                    phi_847_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e457), 0u, 0u);
-                    phi_850_ = type_50(type_28(vec4<f32>((f32(_e467) * _e139), (f32(_e473) * _e139), (f32(_e479) * _e139), 0f), vec4<f32>((f32(_e484) * _e139), (f32(_e488) * _e139), (f32(_e492) * _e139), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_852_ = ((3u * _e88) + 1u);
-                    phi_854_ = (_e459 <= _e457);
-                    phi_856_ = 0u;
+                    let _e493 = local[_e477];
+                    phi_4049_ = false;
+                    phi_853_ = type_39(type_32(type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e458), 0u, 0u);
+                    phi_856_ = type_50(type_28(vec4<f32>((f32(_e468) * _e140), (f32(_e474) * _e140), (f32(_e480) * _e140), 0f), vec4<f32>((f32(_e485) * _e140), (f32(_e489) * _e140), (f32(_e493) * _e140), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
+                    phi_858_ = ((3u * _e89) + 1u);
+                    phi_860_ = (_e460 <= _e458);
+                    phi_862_ = 0u;
                     loop {
-                        let _e502 = phi_3776_;
-                        let _e504 = phi_847_;
-                        let _e506 = phi_850_;
-                        let _e508 = phi_852_;
-                        let _e510 = phi_854_;
-                        let _e512 = phi_856_;
-                        local_10 = _e504;
-                        local_11 = _e504;
-                        if _e510 {
-                            phi_867_ = true;
+                        let _e503 = phi_4049_;
+                        let _e505 = phi_853_;
+                        let _e507 = phi_856_;
+                        let _e509 = phi_858_;
+                        let _e511 = phi_860_;
+                        let _e513 = phi_862_;
+                        local_10 = _e505;
+                        local_11 = _e505;
+                        if _e511 {
+                            phi_873_ = true;
                         } else {
-                            phi_867_ = (_e512 > 0u);
+                            phi_873_ = (_e513 > 0u);
                         }
-                        let _e515 = phi_867_;
-                        if _e515 {
-                            let _e516 = (_e508 > 0u);
-                            if _e516 {
-                                if _e510 {
-                                    phi_953_ = _e506;
-                                    phi_954_ = _e510;
-                                    phi_955_ = _e512;
+                        let _e516 = phi_873_;
+                        if _e516 {
+                            let _e517 = (_e509 > 0u);
+                            if _e517 {
+                                if _e511 {
+                                    phi_959_ = _e507;
+                                    phi_960_ = _e511;
+                                    phi_961_ = _e513;
                                 } else {
-                                    let _e517 = (_e512 - 1u);
-                                    let _e518 = (_e517 % 128u);
-                                    let _e519 = (_e518 < 128u);
-                                    if _e519 {
+                                    let _e518 = (_e513 - 1u);
+                                    let _e519 = (_e518 % 128u);
+                                    let _e520 = (_e519 < 128u);
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e521 = local_7[_e518];
-                                    if _e519 {
+                                    let _e522 = local_7[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e523 = local_6[_e518];
-                                    if _e519 {
+                                    let _e524 = local_6[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e525 = local_5[_e518];
-                                    if _e519 {
+                                    let _e526 = local_5[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e527 = local_4[_e518];
-                                    if _e519 {
+                                    let _e528 = local_4[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e529 = local_3[_e518];
-                                    if _e519 {
+                                    let _e530 = local_3[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e531 = local_2[_e518];
-                                    if _e519 {
+                                    let _e532 = local_2[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e536 = local_8[_e518];
-                                    if _e519 {
+                                    let _e537 = local_8[_e519];
+                                    if _e520 {
                                     } else {
-                                        phi_3931_ = true;
+                                        phi_4232_ = true;
                                         break;
                                     }
-                                    let _e539 = local_9[_e518];
-                                    phi_953_ = type_50(type_28(vec4<f32>(_e521, _e523, _e525, 0f), vec4<f32>(_e527, _e529, _e531, 0f)), _e536);
-                                    phi_954_ = (_e539 <= _e504.member.member_1);
-                                    phi_955_ = _e517;
+                                    let _e540 = local_9[_e519];
+                                    phi_959_ = type_50(type_28(vec4<f32>(_e522, _e524, _e526, 0f), vec4<f32>(_e528, _e530, _e532, 0f)), _e537);
+                                    phi_960_ = (_e540 <= _e505.member.member_1);
+                                    phi_961_ = _e518;
                                 }
-                                let _e544 = phi_953_;
-                                let _e546 = phi_954_;
-                                let _e548 = phi_955_;
-                                if _e546 {
-                                    let _e553 = (_e544.member_1 & 268435455u);
-                                    if ((_e544.member_1 & 2147483648u) != 0u) {
-                                        phi_974_ = _e504;
-                                        phi_977_ = type_8(0u, ((_e544.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e545 = phi_959_;
+                                let _e547 = phi_960_;
+                                let _e549 = phi_961_;
+                                if _e547 {
+                                    let _e554 = (_e545.member_1 & 268435455u);
+                                    if ((_e545.member_1 & 2147483648u) != 0u) {
+                                        phi_980_ = _e505;
+                                        phi_983_ = type_8(0u, ((_e545.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1038 = phi_974_;
-                                            let _e1040 = phi_977_;
-                                            local_12 = _e1038;
-                                            if (_e1040.member < _e1040.member_1) {
-                                                phi_978_ = type_8((_e1040.member + 1u), _e1040.member_1);
-                                                phi_1000_ = type_8(1u, _e1040.member);
+                                            let _e1039 = phi_980_;
+                                            let _e1041 = phi_983_;
+                                            local_12 = _e1039;
+                                            if (_e1041.member < _e1041.member_1) {
+                                                phi_984_ = type_8((_e1041.member + 1u), _e1041.member_1);
+                                                phi_1006_ = type_8(1u, _e1041.member);
                                             } else {
-                                                phi_978_ = _e1040;
-                                                phi_1000_ = type_8(0u, type_8().member_1);
+                                                phi_984_ = _e1041;
+                                                phi_1006_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1053 = phi_978_;
-                                            let _e1055 = phi_1000_;
-                                            let _e1059 = (bitcast<i32>(_e1055.member) != 0i);
-                                            if _e1059 {
-                                                let _e1065 = type_39(_e1038.member, _e1038.member_1, (_e1038.member_2 + 1u));
-                                                let _e1070 = (_e544.member.member_1.x - _e544.member.member.x);
-                                                let _e1073 = (_e544.member.member_1.y - _e544.member.member.y);
-                                                let _e1076 = (_e544.member.member_1.z - _e544.member.member.z);
-                                                let _e1078 = select(_e1073, _e1070, (_e1070 > _e1073));
-                                                let _e1080 = select(_e1076, _e1078, (_e1078 > _e1076));
-                                                let _e1082 = (_e1080 < (1024f * _e139));
-                                                if _e1082 {
-                                                    phi_1044_ = 0u;
+                                            let _e1054 = phi_984_;
+                                            let _e1056 = phi_1006_;
+                                            let _e1060 = (bitcast<i32>(_e1056.member) != 0i);
+                                            if _e1060 {
+                                                let _e1066 = type_39(_e1039.member, _e1039.member_1, (_e1039.member_2 + 1u));
+                                                let _e1071 = (_e545.member.member_1.x - _e545.member.member.x);
+                                                let _e1074 = (_e545.member.member_1.y - _e545.member.member.y);
+                                                let _e1077 = (_e545.member.member_1.z - _e545.member.member.z);
+                                                let _e1079 = select(_e1074, _e1071, (_e1071 > _e1074));
+                                                let _e1081 = select(_e1077, _e1079, (_e1079 > _e1077));
+                                                let _e1083 = (_e1081 < (1024f * _e140));
+                                                if _e1083 {
+                                                    phi_1050_ = 0u;
                                                 } else {
-                                                    phi_1044_ = select(2u, 1u, (_e1080 < (2097152f * _e139)));
+                                                    phi_1050_ = select(2u, 1u, (_e1081 < (2097152f * _e140)));
                                                 }
-                                                let _e1087 = phi_1044_;
-                                                switch bitcast<i32>(_e1087) {
+                                                let _e1088 = phi_1050_;
+                                                switch bitcast<i32>(_e1088) {
                                                     case 0: {
-                                                        phi_1050_ = 1u;
+                                                        phi_1056_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1050_ = 2u;
+                                                        phi_1056_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1050_ = 3u;
+                                                        phi_1056_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1050_ = u32();
+                                                        phi_1056_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1090 = phi_1050_;
-                                                switch bitcast<i32>(_e1087) {
+                                                let _e1091 = phi_1056_;
+                                                switch bitcast<i32>(_e1088) {
                                                     case 0: {
-                                                        phi_1060_ = 1u;
+                                                        phi_1066_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1060_ = 2u;
+                                                        phi_1066_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1060_ = 3u;
+                                                        phi_1066_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1060_ = u32();
+                                                        phi_1066_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1097 = phi_1060_;
-                                                let _e1099 = ((_e553 + (_e1055.member_1 * ((3u * _e1090) + 1u))) + (3u * _e1097));
-                                                let _e1100 = (_e1099 < _e91);
-                                                if _e1100 {
-                                                    if _e1100 {
+                                                let _e1098 = phi_1066_;
+                                                let _e1100 = ((_e554 + (_e1056.member_1 * ((3u * _e1091) + 1u))) + (3u * _e1098));
+                                                let _e1101 = (_e1100 < _e92);
+                                                if _e1101 {
+                                                    if _e1101 {
                                                     } else {
-                                                        phi_3770_ = true;
+                                                        phi_4043_ = true;
                                                         break;
                                                     }
-                                                    let _e1102 = global_5.member[_e1099];
-                                                    phi_1076_ = _e1102;
+                                                    let _e1103 = global_5.member[_e1100];
+                                                    phi_1082_ = _e1103;
                                                 } else {
-                                                    phi_1076_ = 4294967295u;
+                                                    phi_1082_ = 4294967295u;
                                                 }
-                                                let _e1104 = phi_1076_;
-                                                if _e1082 {
-                                                    phi_1109_ = 0u;
+                                                let _e1105 = phi_1082_;
+                                                if _e1083 {
+                                                    phi_1115_ = 0u;
                                                 } else {
-                                                    phi_1109_ = select(2u, 1u, (_e1080 < (2097152f * _e139)));
+                                                    phi_1115_ = select(2u, 1u, (_e1081 < (2097152f * _e140)));
                                                 }
-                                                let _e1109 = phi_1109_;
-                                                switch bitcast<i32>(_e1109) {
+                                                let _e1110 = phi_1115_;
+                                                switch bitcast<i32>(_e1110) {
                                                     case 0: {
-                                                        phi_1115_ = 1u;
+                                                        phi_1121_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1115_ = 2u;
+                                                        phi_1121_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1115_ = 3u;
+                                                        phi_1121_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1115_ = u32();
+                                                        phi_1121_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1112 = phi_1115_;
-                                                let _e1116 = (_e553 + (_e1055.member_1 * ((3u * _e1112) + 1u)));
-                                                switch bitcast<i32>(_e1109) {
+                                                let _e1113 = phi_1121_;
+                                                let _e1117 = (_e554 + (_e1056.member_1 * ((3u * _e1113) + 1u)));
+                                                switch bitcast<i32>(_e1110) {
                                                     case 0: {
-                                                        let _e1382 = (_e1116 < _e91);
-                                                        if _e1382 {
-                                                            if _e1382 {
+                                                        let _e1383 = (_e1117 < _e92);
+                                                        if _e1383 {
+                                                            if _e1383 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1384 = global_5.member[_e1116];
-                                                            phi_1139_ = _e1384;
+                                                            let _e1385 = global_5.member[_e1117];
+                                                            phi_1145_ = _e1385;
                                                         } else {
-                                                            phi_1139_ = 0u;
+                                                            phi_1145_ = 0u;
                                                         }
-                                                        let _e1386 = phi_1139_;
-                                                        let _e1388 = ((10u * _e259) & 31u);
-                                                        let _e1397 = ((10u * _e258) & 31u);
-                                                        let _e1406 = ((10u * _e260) & 31u);
-                                                        let _e1415 = (_e1116 + 1u);
-                                                        let _e1416 = (_e1415 < _e91);
-                                                        if _e1416 {
-                                                            if _e1416 {
+                                                        let _e1387 = phi_1145_;
+                                                        let _e1389 = ((10u * _e260) & 31u);
+                                                        let _e1398 = ((10u * _e259) & 31u);
+                                                        let _e1407 = ((10u * _e261) & 31u);
+                                                        let _e1416 = (_e1117 + 1u);
+                                                        let _e1417 = (_e1416 < _e92);
+                                                        if _e1417 {
+                                                            if _e1417 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1418 = global_5.member[_e1415];
-                                                            phi_1182_ = _e1418;
+                                                            let _e1419 = global_5.member[_e1416];
+                                                            phi_1188_ = _e1419;
                                                         } else {
-                                                            phi_1182_ = 0u;
+                                                            phi_1188_ = 0u;
                                                         }
-                                                        let _e1420 = phi_1182_;
-                                                        let _e1443 = (_e1116 + 2u);
-                                                        let _e1444 = (_e1443 < _e91);
-                                                        if _e1444 {
-                                                            if _e1444 {
+                                                        let _e1421 = phi_1188_;
+                                                        let _e1444 = (_e1117 + 2u);
+                                                        let _e1445 = (_e1444 < _e92);
+                                                        if _e1445 {
+                                                            if _e1445 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1446 = global_5.member[_e1443];
-                                                            phi_1225_ = _e1446;
+                                                            let _e1447 = global_5.member[_e1444];
+                                                            phi_1231_ = _e1447;
                                                         } else {
-                                                            phi_1225_ = 0u;
+                                                            phi_1231_ = 0u;
                                                         }
-                                                        let _e1448 = phi_1225_;
-                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1386 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1420 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1388)) & 1023u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1397)) & 1023u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>(((_e1448 >> bitcast<u32>(_e1406)) & 1023u))) * _e139))));
+                                                        let _e1449 = phi_1231_;
+                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1387 >> bitcast<u32>(_e1389)) & 1023u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1387 >> bitcast<u32>(_e1398)) & 1023u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1387 >> bitcast<u32>(_e1407)) & 1023u))) * _e140))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1421 >> bitcast<u32>(_e1389)) & 1023u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1421 >> bitcast<u32>(_e1398)) & 1023u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1421 >> bitcast<u32>(_e1407)) & 1023u))) * _e140))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>(((_e1449 >> bitcast<u32>(_e1389)) & 1023u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>(((_e1449 >> bitcast<u32>(_e1398)) & 1023u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>(((_e1449 >> bitcast<u32>(_e1407)) & 1023u))) * _e140))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1205 = (_e1116 < _e91);
-                                                        if _e1205 {
-                                                            if _e1205 {
+                                                        let _e1206 = (_e1117 < _e92);
+                                                        if _e1206 {
+                                                            if _e1206 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1207 = global_5.member[_e1116];
-                                                            phi_1268_ = _e1207;
+                                                            let _e1208 = global_5.member[_e1117];
+                                                            phi_1274_ = _e1208;
                                                         } else {
-                                                            phi_1268_ = 0u;
+                                                            phi_1274_ = 0u;
                                                         }
-                                                        let _e1209 = phi_1268_;
-                                                        let _e1210 = (_e1116 + 1u);
-                                                        let _e1211 = (_e1210 < _e91);
-                                                        if _e1211 {
-                                                            if _e1211 {
+                                                        let _e1210 = phi_1274_;
+                                                        let _e1211 = (_e1117 + 1u);
+                                                        let _e1212 = (_e1211 < _e92);
+                                                        if _e1212 {
+                                                            if _e1212 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1213 = global_5.member[_e1210];
-                                                            phi_1283_ = _e1213;
+                                                            let _e1214 = global_5.member[_e1211];
+                                                            phi_1289_ = _e1214;
                                                         } else {
-                                                            phi_1283_ = 0u;
+                                                            phi_1289_ = 0u;
                                                         }
-                                                        let _e1215 = phi_1283_;
-                                                        let _e1216 = (_e259 == 1u);
-                                                        if _e1216 {
-                                                            phi_1293_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        let _e1216 = phi_1289_;
+                                                        let _e1217 = (_e260 == 1u);
+                                                        if _e1217 {
+                                                            phi_1299_ = ((_e1210 >> bitcast<u32>(21i)) | (_e1216 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1293_ = (_e1215 >> bitcast<u32>(10i));
+                                                            phi_1299_ = (_e1216 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1225 = phi_1293_;
-                                                        let _e1232 = (_e258 == 1u);
-                                                        if _e1232 {
-                                                            phi_1313_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        let _e1226 = phi_1299_;
+                                                        let _e1233 = (_e259 == 1u);
+                                                        if _e1233 {
+                                                            phi_1319_ = ((_e1210 >> bitcast<u32>(21i)) | (_e1216 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1313_ = (_e1215 >> bitcast<u32>(10i));
+                                                            phi_1319_ = (_e1216 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1241 = phi_1313_;
-                                                        let _e1248 = (_e260 == 1u);
-                                                        if _e1248 {
-                                                            phi_1333_ = ((_e1209 >> bitcast<u32>(21i)) | (_e1215 << bitcast<u32>(11i)));
+                                                        let _e1242 = phi_1319_;
+                                                        let _e1249 = (_e261 == 1u);
+                                                        if _e1249 {
+                                                            phi_1339_ = ((_e1210 >> bitcast<u32>(21i)) | (_e1216 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1333_ = (_e1215 >> bitcast<u32>(10i));
+                                                            phi_1339_ = (_e1216 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1257 = phi_1333_;
-                                                        let _e1265 = (_e1116 + 2u);
-                                                        let _e1266 = (_e1265 < _e91);
-                                                        if _e1266 {
-                                                            if _e1266 {
+                                                        let _e1258 = phi_1339_;
+                                                        let _e1266 = (_e1117 + 2u);
+                                                        let _e1267 = (_e1266 < _e92);
+                                                        if _e1267 {
+                                                            if _e1267 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1268 = global_5.member[_e1265];
-                                                            phi_1359_ = _e1268;
+                                                            let _e1269 = global_5.member[_e1266];
+                                                            phi_1365_ = _e1269;
                                                         } else {
-                                                            phi_1359_ = 0u;
+                                                            phi_1365_ = 0u;
                                                         }
-                                                        let _e1270 = phi_1359_;
-                                                        let _e1271 = (_e1116 + 3u);
-                                                        let _e1272 = (_e1271 < _e91);
-                                                        if _e1272 {
-                                                            if _e1272 {
+                                                        let _e1271 = phi_1365_;
+                                                        let _e1272 = (_e1117 + 3u);
+                                                        let _e1273 = (_e1272 < _e92);
+                                                        if _e1273 {
+                                                            if _e1273 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1274 = global_5.member[_e1271];
-                                                            phi_1374_ = _e1274;
+                                                            let _e1275 = global_5.member[_e1272];
+                                                            phi_1380_ = _e1275;
                                                         } else {
-                                                            phi_1374_ = 0u;
+                                                            phi_1380_ = 0u;
                                                         }
-                                                        let _e1276 = phi_1374_;
-                                                        if _e1216 {
-                                                            phi_1384_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        let _e1277 = phi_1380_;
+                                                        if _e1217 {
+                                                            phi_1390_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1384_ = (_e1276 >> bitcast<u32>(10i));
+                                                            phi_1390_ = (_e1277 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1285 = phi_1384_;
-                                                        if _e1232 {
-                                                            phi_1404_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        let _e1286 = phi_1390_;
+                                                        if _e1233 {
+                                                            phi_1410_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1404_ = (_e1276 >> bitcast<u32>(10i));
+                                                            phi_1410_ = (_e1277 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1300 = phi_1404_;
-                                                        if _e1248 {
-                                                            phi_1424_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
+                                                        let _e1301 = phi_1410_;
+                                                        if _e1249 {
+                                                            phi_1430_ = ((_e1271 >> bitcast<u32>(21i)) | (_e1277 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1424_ = (_e1276 >> bitcast<u32>(10i));
+                                                            phi_1430_ = (_e1277 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1315 = phi_1424_;
-                                                        let _e1323 = (_e1116 + 4u);
-                                                        let _e1324 = (_e1323 < _e91);
-                                                        if _e1324 {
-                                                            if _e1324 {
+                                                        let _e1316 = phi_1430_;
+                                                        let _e1324 = (_e1117 + 4u);
+                                                        let _e1325 = (_e1324 < _e92);
+                                                        if _e1325 {
+                                                            if _e1325 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1326 = global_5.member[_e1323];
-                                                            phi_1450_ = _e1326;
+                                                            let _e1327 = global_5.member[_e1324];
+                                                            phi_1456_ = _e1327;
                                                         } else {
-                                                            phi_1450_ = 0u;
+                                                            phi_1456_ = 0u;
                                                         }
-                                                        let _e1328 = phi_1450_;
-                                                        let _e1329 = (_e1116 + 5u);
-                                                        let _e1330 = (_e1329 < _e91);
-                                                        if _e1330 {
-                                                            if _e1330 {
+                                                        let _e1329 = phi_1456_;
+                                                        let _e1330 = (_e1117 + 5u);
+                                                        let _e1331 = (_e1330 < _e92);
+                                                        if _e1331 {
+                                                            if _e1331 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1332 = global_5.member[_e1329];
-                                                            phi_1465_ = _e1332;
+                                                            let _e1333 = global_5.member[_e1330];
+                                                            phi_1471_ = _e1333;
                                                         } else {
-                                                            phi_1465_ = 0u;
+                                                            phi_1471_ = 0u;
                                                         }
-                                                        let _e1334 = phi_1465_;
-                                                        if _e1216 {
-                                                            phi_1475_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        let _e1335 = phi_1471_;
+                                                        if _e1217 {
+                                                            phi_1481_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1475_ = (_e1334 >> bitcast<u32>(10i));
+                                                            phi_1481_ = (_e1335 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1343 = phi_1475_;
-                                                        if _e1232 {
-                                                            phi_1495_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        let _e1344 = phi_1481_;
+                                                        if _e1233 {
+                                                            phi_1501_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1495_ = (_e1334 >> bitcast<u32>(10i));
+                                                            phi_1501_ = (_e1335 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1358 = phi_1495_;
-                                                        if _e1248 {
-                                                            phi_1515_ = ((_e1328 >> bitcast<u32>(21i)) | (_e1334 << bitcast<u32>(11i)));
+                                                        let _e1359 = phi_1501_;
+                                                        if _e1249 {
+                                                            phi_1521_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1515_ = (_e1334 >> bitcast<u32>(10i));
+                                                            phi_1521_ = (_e1335 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1373 = phi_1515_;
-                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1225, _e1209, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1241, _e1209, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1257, _e1209, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1285, _e1270, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1300, _e1270, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1315, _e1270, _e375) & 2097151u))) * _e139))), array<f32, 3>((_e544.member.member.x + (f32(bitcast<i32>((select(_e1343, _e1328, _e298) & 2097151u))) * _e139)), (_e544.member.member.y + (f32(bitcast<i32>((select(_e1358, _e1328, _e337) & 2097151u))) * _e139)), (_e544.member.member.z + (f32(bitcast<i32>((select(_e1373, _e1328, _e375) & 2097151u))) * _e139))));
+                                                        let _e1374 = phi_1521_;
+                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1226, _e1210, _e299) & 2097151u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1242, _e1210, _e338) & 2097151u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1258, _e1210, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1286, _e1271, _e299) & 2097151u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1301, _e1271, _e338) & 2097151u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1316, _e1271, _e376) & 2097151u))) * _e140))), array<f32, 3>((_e545.member.member.x + (f32(bitcast<i32>((select(_e1344, _e1329, _e299) & 2097151u))) * _e140)), (_e545.member.member.y + (f32(bitcast<i32>((select(_e1359, _e1329, _e338) & 2097151u))) * _e140)), (_e545.member.member.z + (f32(bitcast<i32>((select(_e1374, _e1329, _e376) & 2097151u))) * _e140))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1118 = (_e1116 + _e259);
-                                                        let _e1119 = (_e1118 < _e91);
-                                                        if _e1119 {
-                                                            if _e1119 {
+                                                        let _e1119 = (_e1117 + _e260);
+                                                        let _e1120 = (_e1119 < _e92);
+                                                        if _e1120 {
+                                                            if _e1120 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1121 = global_5.member[_e1118];
-                                                            phi_1542_ = _e1121;
+                                                            let _e1122 = global_5.member[_e1119];
+                                                            phi_1548_ = _e1122;
                                                         } else {
-                                                            phi_1542_ = 0u;
+                                                            phi_1548_ = 0u;
                                                         }
-                                                        let _e1123 = phi_1542_;
-                                                        let _e1127 = (_e1116 + _e258);
-                                                        let _e1128 = (_e1127 < _e91);
-                                                        if _e1128 {
-                                                            if _e1128 {
+                                                        let _e1124 = phi_1548_;
+                                                        let _e1128 = (_e1117 + _e259);
+                                                        let _e1129 = (_e1128 < _e92);
+                                                        if _e1129 {
+                                                            if _e1129 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1130 = global_5.member[_e1127];
-                                                            phi_1560_ = _e1130;
+                                                            let _e1131 = global_5.member[_e1128];
+                                                            phi_1566_ = _e1131;
                                                         } else {
-                                                            phi_1560_ = 0u;
+                                                            phi_1566_ = 0u;
                                                         }
-                                                        let _e1132 = phi_1560_;
-                                                        let _e1136 = (_e1116 + _e260);
-                                                        let _e1137 = (_e1136 < _e91);
-                                                        if _e1137 {
-                                                            if _e1137 {
+                                                        let _e1133 = phi_1566_;
+                                                        let _e1137 = (_e1117 + _e261);
+                                                        let _e1138 = (_e1137 < _e92);
+                                                        if _e1138 {
+                                                            if _e1138 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1139 = global_5.member[_e1136];
-                                                            phi_1578_ = _e1139;
+                                                            let _e1140 = global_5.member[_e1137];
+                                                            phi_1584_ = _e1140;
                                                         } else {
-                                                            phi_1578_ = 0u;
+                                                            phi_1584_ = 0u;
                                                         }
-                                                        let _e1141 = phi_1578_;
-                                                        let _e1146 = (_e1116 + 3u);
-                                                        let _e1147 = (_e1146 + _e259);
-                                                        let _e1148 = (_e1147 < _e91);
-                                                        if _e1148 {
-                                                            if _e1148 {
+                                                        let _e1142 = phi_1584_;
+                                                        let _e1147 = (_e1117 + 3u);
+                                                        let _e1148 = (_e1147 + _e260);
+                                                        let _e1149 = (_e1148 < _e92);
+                                                        if _e1149 {
+                                                            if _e1149 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1150 = global_5.member[_e1147];
-                                                            phi_1598_ = _e1150;
+                                                            let _e1151 = global_5.member[_e1148];
+                                                            phi_1604_ = _e1151;
                                                         } else {
-                                                            phi_1598_ = 0u;
+                                                            phi_1604_ = 0u;
                                                         }
-                                                        let _e1152 = phi_1598_;
-                                                        let _e1156 = (_e1146 + _e258);
-                                                        let _e1157 = (_e1156 < _e91);
-                                                        if _e1157 {
-                                                            if _e1157 {
+                                                        let _e1153 = phi_1604_;
+                                                        let _e1157 = (_e1147 + _e259);
+                                                        let _e1158 = (_e1157 < _e92);
+                                                        if _e1158 {
+                                                            if _e1158 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1159 = global_5.member[_e1156];
-                                                            phi_1616_ = _e1159;
+                                                            let _e1160 = global_5.member[_e1157];
+                                                            phi_1622_ = _e1160;
                                                         } else {
-                                                            phi_1616_ = 0u;
+                                                            phi_1622_ = 0u;
                                                         }
-                                                        let _e1161 = phi_1616_;
-                                                        let _e1165 = (_e1146 + _e260);
-                                                        let _e1166 = (_e1165 < _e91);
-                                                        if _e1166 {
-                                                            if _e1166 {
+                                                        let _e1162 = phi_1622_;
+                                                        let _e1166 = (_e1147 + _e261);
+                                                        let _e1167 = (_e1166 < _e92);
+                                                        if _e1167 {
+                                                            if _e1167 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1168 = global_5.member[_e1165];
-                                                            phi_1634_ = _e1168;
+                                                            let _e1169 = global_5.member[_e1166];
+                                                            phi_1640_ = _e1169;
                                                         } else {
-                                                            phi_1634_ = 0u;
+                                                            phi_1640_ = 0u;
                                                         }
-                                                        let _e1170 = phi_1634_;
-                                                        let _e1175 = (_e1116 + 6u);
-                                                        let _e1176 = (_e1175 + _e259);
-                                                        let _e1177 = (_e1176 < _e91);
-                                                        if _e1177 {
-                                                            if _e1177 {
+                                                        let _e1171 = phi_1640_;
+                                                        let _e1176 = (_e1117 + 6u);
+                                                        let _e1177 = (_e1176 + _e260);
+                                                        let _e1178 = (_e1177 < _e92);
+                                                        if _e1178 {
+                                                            if _e1178 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1179 = global_5.member[_e1176];
-                                                            phi_1654_ = _e1179;
+                                                            let _e1180 = global_5.member[_e1177];
+                                                            phi_1660_ = _e1180;
                                                         } else {
-                                                            phi_1654_ = 0u;
+                                                            phi_1660_ = 0u;
                                                         }
-                                                        let _e1181 = phi_1654_;
-                                                        let _e1185 = (_e1175 + _e258);
-                                                        let _e1186 = (_e1185 < _e91);
-                                                        if _e1186 {
-                                                            if _e1186 {
+                                                        let _e1182 = phi_1660_;
+                                                        let _e1186 = (_e1176 + _e259);
+                                                        let _e1187 = (_e1186 < _e92);
+                                                        if _e1187 {
+                                                            if _e1187 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1188 = global_5.member[_e1185];
-                                                            phi_1672_ = _e1188;
+                                                            let _e1189 = global_5.member[_e1186];
+                                                            phi_1678_ = _e1189;
                                                         } else {
-                                                            phi_1672_ = 0u;
+                                                            phi_1678_ = 0u;
                                                         }
-                                                        let _e1190 = phi_1672_;
-                                                        let _e1194 = (_e1175 + _e260);
-                                                        let _e1195 = (_e1194 < _e91);
-                                                        if _e1195 {
-                                                            if _e1195 {
+                                                        let _e1191 = phi_1678_;
+                                                        let _e1195 = (_e1176 + _e261);
+                                                        let _e1196 = (_e1195 < _e92);
+                                                        if _e1196 {
+                                                            if _e1196 {
                                                             } else {
-                                                                phi_3770_ = true;
+                                                                phi_4043_ = true;
                                                                 break;
                                                             }
-                                                            let _e1197 = global_5.member[_e1194];
-                                                            phi_1690_ = _e1197;
+                                                            let _e1198 = global_5.member[_e1195];
+                                                            phi_1696_ = _e1198;
                                                         } else {
-                                                            phi_1690_ = 0u;
+                                                            phi_1696_ = 0u;
                                                         }
-                                                        let _e1199 = phi_1690_;
-                                                        phi_1696_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1123)) * _e139), (f32(bitcast<i32>(_e1132)) * _e139), (f32(bitcast<i32>(_e1141)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1152)) * _e139), (f32(bitcast<i32>(_e1161)) * _e139), (f32(bitcast<i32>(_e1170)) * _e139)), array<f32, 3>((f32(bitcast<i32>(_e1181)) * _e139), (f32(bitcast<i32>(_e1190)) * _e139), (f32(bitcast<i32>(_e1199)) * _e139)));
+                                                        let _e1200 = phi_1696_;
+                                                        phi_1702_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1124)) * _e140), (f32(bitcast<i32>(_e1133)) * _e140), (f32(bitcast<i32>(_e1142)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1153)) * _e140), (f32(bitcast<i32>(_e1162)) * _e140), (f32(bitcast<i32>(_e1171)) * _e140)), array<f32, 3>((f32(bitcast<i32>(_e1182)) * _e140), (f32(bitcast<i32>(_e1191)) * _e140), (f32(bitcast<i32>(_e1200)) * _e140)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1696_ = array<array<f32, 3>, 3>();
+                                                        phi_1702_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1473 = phi_1696_;
-                                                let _e1482 = (_e1473[0][2] - _e385);
-                                                let _e1485 = (((_e1473[0][0] - _e308) * _e409) - (_e1482 * _e333));
-                                                let _e1488 = (((_e1473[0][1] - _e347) * _e409) - (_e1482 * _e371));
-                                                let _e1495 = (_e1473[1][2] - _e385);
-                                                let _e1498 = (((_e1473[1][0] - _e308) * _e409) - (_e1495 * _e333));
-                                                let _e1501 = (((_e1473[1][1] - _e347) * _e409) - (_e1495 * _e371));
-                                                let _e1508 = (_e1473[2][2] - _e385);
-                                                let _e1511 = (((_e1473[2][0] - _e308) * _e409) - (_e1508 * _e333));
-                                                let _e1514 = (((_e1473[2][1] - _e347) * _e409) - (_e1508 * _e371));
-                                                let _e1515 = (_e1511 * _e1501);
-                                                let _e1516 = (_e1514 * _e1498);
-                                                let _e1517 = (_e1485 * _e1514);
-                                                let _e1518 = (_e1488 * _e1511);
-                                                let _e1519 = (_e1498 * _e1488);
-                                                let _e1520 = (_e1501 * _e1485);
-                                                let _e1525 = (((_e1515 >= _e1516) && (_e1517 >= _e1518)) && (_e1519 >= _e1520));
-                                                if (_e1525 || (((_e1515 <= _e1516) && (_e1517 <= _e1518)) && (_e1519 <= _e1520))) {
-                                                    let _e1532 = select(-1f, 1f, _e1525);
-                                                    let _e1534 = ((_e1515 - _e1516) * _e1532);
-                                                    let _e1536 = select(0f, _e1534, (_e1534 > 0f));
-                                                    let _e1538 = ((_e1517 - _e1518) * _e1532);
-                                                    let _e1540 = select(0f, _e1538, (_e1538 > 0f));
-                                                    let _e1542 = ((_e1519 - _e1520) * _e1532);
-                                                    let _e1544 = select(0f, _e1542, (_e1542 > 0f));
-                                                    let _e1546 = ((_e1536 + _e1540) + _e1544);
-                                                    if (_e1546 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2262_ = type_24();
-                                                        phi_2263_ = true;
+                                                let _e1474 = phi_1702_;
+                                                let _e1483 = (_e1474[0][2] - _e386);
+                                                let _e1486 = (((_e1474[0][0] - _e309) * _e410) - (_e1483 * _e334));
+                                                let _e1489 = (((_e1474[0][1] - _e348) * _e410) - (_e1483 * _e372));
+                                                let _e1496 = (_e1474[1][2] - _e386);
+                                                let _e1499 = (((_e1474[1][0] - _e309) * _e410) - (_e1496 * _e334));
+                                                let _e1502 = (((_e1474[1][1] - _e348) * _e410) - (_e1496 * _e372));
+                                                let _e1509 = (_e1474[2][2] - _e386);
+                                                let _e1512 = (((_e1474[2][0] - _e309) * _e410) - (_e1509 * _e334));
+                                                let _e1515 = (((_e1474[2][1] - _e348) * _e410) - (_e1509 * _e372));
+                                                let _e1516 = (_e1512 * _e1502);
+                                                let _e1517 = (_e1515 * _e1499);
+                                                let _e1518 = (_e1486 * _e1515);
+                                                let _e1519 = (_e1489 * _e1512);
+                                                let _e1520 = (_e1499 * _e1489);
+                                                let _e1521 = (_e1502 * _e1486);
+                                                let _e1526 = (((_e1516 >= _e1517) && (_e1518 >= _e1519)) && (_e1520 >= _e1521));
+                                                if (_e1526 || (((_e1516 <= _e1517) && (_e1518 <= _e1519)) && (_e1520 <= _e1521))) {
+                                                    let _e1533 = select(-1f, 1f, _e1526);
+                                                    let _e1535 = ((_e1516 - _e1517) * _e1533);
+                                                    let _e1537 = select(0f, _e1535, (_e1535 > 0f));
+                                                    let _e1539 = ((_e1518 - _e1519) * _e1533);
+                                                    let _e1541 = select(0f, _e1539, (_e1539 > 0f));
+                                                    let _e1543 = ((_e1520 - _e1521) * _e1533);
+                                                    let _e1545 = select(0f, _e1543, (_e1543 > 0f));
+                                                    let _e1547 = ((_e1537 + _e1541) + _e1545);
+                                                    if (_e1547 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2530_ = type_24();
+                                                        phi_2531_ = true;
+                                                        phi_2532_ = false;
                                                     } else {
-                                                        let _e1549 = select(_e1473[1][0], _e1473[0][0], (_e1473[0][0] < _e1473[1][0]));
-                                                        let _e1553 = select(_e1473[1][0], _e1473[0][0], (_e1473[0][0] > _e1473[1][0]));
-                                                        let _e1557 = select(_e1473[1][1], _e1473[0][1], (_e1473[0][1] < _e1473[1][1]));
-                                                        let _e1561 = select(_e1473[1][1], _e1473[0][1], (_e1473[0][1] > _e1473[1][1]));
-                                                        let _e1565 = select(_e1473[1][2], _e1473[0][2], (_e1473[0][2] < _e1473[1][2]));
-                                                        let _e1569 = select(_e1473[1][2], _e1473[0][2], (_e1473[0][2] > _e1473[1][2]));
-                                                        let _e1574 = ((select(_e1473[2][0], _e1549, (_e1549 < _e1473[2][0])) - _e331) * _e336);
-                                                        let _e1575 = ((select(_e1473[2][0], _e1553, (_e1553 > _e1473[2][0])) - _e332) * _e336);
-                                                        let _e1578 = ((select(_e1473[2][1], _e1557, (_e1557 < _e1473[2][1])) - _e369) * _e374);
-                                                        let _e1579 = ((select(_e1473[2][1], _e1561, (_e1561 > _e1473[2][1])) - _e370) * _e374);
-                                                        let _e1582 = ((select(_e1473[2][2], _e1565, (_e1565 < _e1473[2][2])) - _e407) * _e412);
-                                                        let _e1583 = ((select(_e1473[2][2], _e1569, (_e1569 > _e1473[2][2])) - _e408) * _e412);
-                                                        let _e1585 = select(_e1583, _e1582, (_e1582 < _e1583));
-                                                        let _e1587 = select(_e1583, _e1582, (_e1582 > _e1583));
-                                                        let _e1589 = select(_e1575, _e1574, (_e1574 < _e1575));
-                                                        let _e1591 = select(_e1579, _e1578, (_e1578 < _e1579));
-                                                        let _e1593 = select(_e1591, _e1589, (_e1589 > _e1591));
-                                                        let _e1595 = select(_e1585, _e1593, (_e1593 > _e1585));
-                                                        let _e1597 = select(_e1575, _e1574, (_e1574 > _e1575));
-                                                        let _e1599 = select(_e1579, _e1578, (_e1578 > _e1579));
-                                                        let _e1601 = select(_e1599, _e1597, (_e1597 < _e1599));
-                                                        let _e1603 = select(_e1587, _e1601, (_e1601 < _e1587));
-                                                        let _e1604 = -(_e1585);
-                                                        let _e1610 = select(_e459, _e1595, (_e1595 > _e459));
-                                                        if (_e1610 > (_e1603 + (select(_e1604, _e1587, (_e1587 > _e1604)) * 0.0000019073523f))) {
-                                                            phi_2257_ = type_24();
-                                                            phi_2258_ = true;
+                                                        let _e1550 = select(_e1499, _e1486, (_e1486 < _e1499));
+                                                        if (select(_e1512, _e1550, (_e1550 < _e1512)) > 0f) {
+                                                            phi_1819_ = true;
                                                         } else {
-                                                            let _e1612 = (_e1610 > _e1038.member.member_1);
-                                                            if _e1612 {
-                                                                phi_2256_ = type_24();
+                                                            let _e1555 = select(_e1499, _e1486, (_e1486 > _e1499));
+                                                            phi_1819_ = (select(_e1512, _e1555, (_e1555 > _e1512)) < 0f);
+                                                        }
+                                                        let _e1560 = phi_1819_;
+                                                        if _e1560 {
+                                                            phi_2527_ = type_24();
+                                                            phi_2528_ = true;
+                                                            phi_2529_ = false;
+                                                        } else {
+                                                            let _e1562 = select(_e1502, _e1489, (_e1489 < _e1502));
+                                                            if (select(_e1515, _e1562, (_e1562 < _e1515)) > 0f) {
+                                                                phi_1848_ = true;
                                                             } else {
-                                                                let _e1616 = (_e1473[1][0] - _e1473[0][0]);
-                                                                let _e1617 = (_e1473[1][1] - _e1473[0][1]);
-                                                                let _e1618 = (_e1473[1][2] - _e1473[0][2]);
-                                                                let _e1619 = vec3<f32>(_e1616, _e1617, _e1618);
-                                                                let _e1620 = (_e1473[2][0] - _e1473[1][0]);
-                                                                let _e1621 = (_e1473[2][1] - _e1473[1][1]);
-                                                                let _e1622 = (_e1473[2][2] - _e1473[1][2]);
-                                                                let _e1623 = vec3<f32>(_e1620, _e1621, _e1622);
-                                                                let _e1624 = (_e1473[0][0] - _e1473[2][0]);
-                                                                let _e1625 = (_e1473[0][1] - _e1473[2][1]);
-                                                                let _e1626 = (_e1473[0][2] - _e1473[2][2]);
-                                                                let _e1627 = vec3<f32>(_e1624, _e1625, _e1626);
-                                                                let _e1630 = bitcast<f32>((bitcast<u32>(_e1616) & 2147483647u));
-                                                                let _e1633 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
-                                                                let _e1635 = select(_e1633, _e1630, (_e1630 > _e1633));
-                                                                let _e1638 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
-                                                                let _e1640 = select(_e1638, _e1635, (_e1635 > _e1638));
-                                                                let _e1643 = bitcast<f32>((bitcast<u32>(_e1620) & 2147483647u));
-                                                                let _e1646 = bitcast<f32>((bitcast<u32>(_e1621) & 2147483647u));
-                                                                let _e1648 = select(_e1646, _e1643, (_e1643 > _e1646));
-                                                                let _e1651 = bitcast<f32>((bitcast<u32>(_e1622) & 2147483647u));
-                                                                let _e1653 = select(_e1651, _e1648, (_e1648 > _e1651));
-                                                                let _e1656 = bitcast<f32>((bitcast<u32>(_e1624) & 2147483647u));
-                                                                let _e1659 = bitcast<f32>((bitcast<u32>(_e1625) & 2147483647u));
-                                                                let _e1661 = select(_e1659, _e1656, (_e1656 > _e1659));
-                                                                let _e1664 = bitcast<f32>((bitcast<u32>(_e1626) & 2147483647u));
-                                                                let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
-                                                                let _e1668 = select(_e1653, _e1640, (_e1640 > _e1653));
-                                                                let _e1670 = select(_e1666, _e1668, (_e1668 > _e1666));
-                                                                if (_e1640 == _e1670) {
-                                                                    phi_2167_ = _e1623;
-                                                                    phi_2168_ = _e1627;
+                                                                let _e1567 = select(_e1502, _e1489, (_e1489 > _e1502));
+                                                                phi_1848_ = (select(_e1515, _e1567, (_e1567 > _e1515)) < 0f);
+                                                            }
+                                                            let _e1572 = phi_1848_;
+                                                            if _e1572 {
+                                                                phi_2525_ = type_24();
+                                                                phi_2526_ = false;
+                                                            } else {
+                                                                let _e1574 = select(_e1474[1][0], _e1474[0][0], (_e1474[0][0] < _e1474[1][0]));
+                                                                let _e1578 = select(_e1474[1][0], _e1474[0][0], (_e1474[0][0] > _e1474[1][0]));
+                                                                let _e1582 = select(_e1474[1][1], _e1474[0][1], (_e1474[0][1] < _e1474[1][1]));
+                                                                let _e1586 = select(_e1474[1][1], _e1474[0][1], (_e1474[0][1] > _e1474[1][1]));
+                                                                let _e1590 = select(_e1474[1][2], _e1474[0][2], (_e1474[0][2] < _e1474[1][2]));
+                                                                let _e1594 = select(_e1474[1][2], _e1474[0][2], (_e1474[0][2] > _e1474[1][2]));
+                                                                let _e1599 = ((select(_e1474[2][0], _e1574, (_e1574 < _e1474[2][0])) - _e332) * _e337);
+                                                                let _e1600 = ((select(_e1474[2][0], _e1578, (_e1578 > _e1474[2][0])) - _e333) * _e337);
+                                                                let _e1603 = ((select(_e1474[2][1], _e1582, (_e1582 < _e1474[2][1])) - _e370) * _e375);
+                                                                let _e1604 = ((select(_e1474[2][1], _e1586, (_e1586 > _e1474[2][1])) - _e371) * _e375);
+                                                                let _e1607 = ((select(_e1474[2][2], _e1590, (_e1590 < _e1474[2][2])) - _e408) * _e413);
+                                                                let _e1608 = ((select(_e1474[2][2], _e1594, (_e1594 > _e1474[2][2])) - _e409) * _e413);
+                                                                let _e1610 = select(_e1608, _e1607, (_e1607 < _e1608));
+                                                                let _e1612 = select(_e1608, _e1607, (_e1607 > _e1608));
+                                                                let _e1614 = select(_e1600, _e1599, (_e1599 < _e1600));
+                                                                let _e1616 = select(_e1604, _e1603, (_e1603 < _e1604));
+                                                                let _e1618 = select(_e1616, _e1614, (_e1614 > _e1616));
+                                                                let _e1620 = select(_e1610, _e1618, (_e1618 > _e1610));
+                                                                let _e1622 = select(_e1600, _e1599, (_e1599 > _e1600));
+                                                                let _e1624 = select(_e1604, _e1603, (_e1603 > _e1604));
+                                                                let _e1626 = select(_e1624, _e1622, (_e1622 < _e1624));
+                                                                let _e1628 = select(_e1612, _e1626, (_e1626 < _e1612));
+                                                                let _e1629 = -(_e1610);
+                                                                let _e1635 = select(_e460, _e1620, (_e1620 > _e460));
+                                                                if (_e1635 > (_e1628 + (select(_e1629, _e1612, (_e1612 > _e1629)) * 0.0000019073523f))) {
+                                                                    phi_2520_ = type_24();
+                                                                    phi_2521_ = true;
                                                                 } else {
-                                                                    let _e1673 = vec3((_e1653 == _e1670));
-                                                                    phi_2167_ = select(_e1619, _e1627, _e1673);
-                                                                    phi_2168_ = select(_e1623, _e1619, _e1673);
-                                                                }
-                                                                let _e1677 = phi_2167_;
-                                                                let _e1679 = phi_2168_;
-                                                                let _e1686 = ((_e1677.y * _e1679.z) - (_e1679.y * _e1677.z));
-                                                                let _e1691 = ((_e1677.z * _e1679.x) - (_e1679.z * _e1677.x));
-                                                                let _e1694 = ((_e1677.x * _e1679.y) - (_e1679.x * _e1677.y));
-                                                                if (_e1536 >= _e1540) {
-                                                                    phi_2199_ = select(true, false, (_e1536 >= _e1544));
-                                                                } else {
-                                                                    phi_2199_ = true;
-                                                                }
-                                                                let _e1699 = phi_2199_;
-                                                                if _e1699 {
-                                                                    phi_2208_ = select(vec3<f32>(_e1473[2][0], _e1473[2][1], _e1473[2][2]), vec3<f32>(_e1473[1][0], _e1473[1][1], _e1473[1][2]), vec3((_e1540 >= _e1544)));
-                                                                } else {
-                                                                    phi_2208_ = vec3<f32>(_e1473[0][0], _e1473[0][1], _e1473[0][2]);
-                                                                }
-                                                                let _e1704 = phi_2208_;
-                                                                let _e1721 = ((((_e1686 * (_e1704.x - _e308)) + (_e1691 * (_e1704.y - _e347))) + (_e1694 * (_e1704.z - _e385))) / (((_e1686 * _e333) + (_e1691 * _e371)) + (_e1694 * _e409)));
-                                                                let _e1723 = select(_e1603, _e1721, (_e1721 < _e1603));
-                                                                let _e1725 = select(_e1595, _e1723, (_e1723 > _e1595));
-                                                                if (_e1725 >= _e459) {
-                                                                    let _e1727 = (_e1725 <= _e1038.member.member_1);
-                                                                    if _e1727 {
-                                                                        let _e1728 = (1f / _e1546);
-                                                                        phi_2248_ = type_24(_e1725, (_e1540 * _e1728), (_e1544 * _e1728), _e1104);
+                                                                    let _e1637 = (_e1635 > _e1039.member.member_1);
+                                                                    if _e1637 {
+                                                                        phi_2519_ = type_24();
                                                                     } else {
-                                                                        phi_2248_ = type_24();
+                                                                        let _e1638 = vec3<f32>(_e1474[0][0], _e1474[0][1], _e1474[0][2]);
+                                                                        let _e1639 = vec3<f32>(_e1474[1][0], _e1474[1][1], _e1474[1][2]);
+                                                                        let _e1640 = vec3<f32>(_e1474[2][0], _e1474[2][1], _e1474[2][2]);
+                                                                        let _e1641 = (_e1474[1][0] - _e1474[0][0]);
+                                                                        let _e1642 = (_e1474[1][1] - _e1474[0][1]);
+                                                                        let _e1643 = (_e1474[1][2] - _e1474[0][2]);
+                                                                        let _e1644 = vec3<f32>(_e1641, _e1642, _e1643);
+                                                                        let _e1645 = (_e1474[2][0] - _e1474[1][0]);
+                                                                        let _e1646 = (_e1474[2][1] - _e1474[1][1]);
+                                                                        let _e1647 = (_e1474[2][2] - _e1474[1][2]);
+                                                                        let _e1648 = vec3<f32>(_e1645, _e1646, _e1647);
+                                                                        let _e1649 = (_e1474[0][0] - _e1474[2][0]);
+                                                                        let _e1650 = (_e1474[0][1] - _e1474[2][1]);
+                                                                        let _e1651 = (_e1474[0][2] - _e1474[2][2]);
+                                                                        let _e1652 = vec3<f32>(_e1649, _e1650, _e1651);
+                                                                        let _e1655 = bitcast<f32>((bitcast<u32>(_e1641) & 2147483647u));
+                                                                        let _e1658 = bitcast<f32>((bitcast<u32>(_e1642) & 2147483647u));
+                                                                        let _e1660 = select(_e1658, _e1655, (_e1655 > _e1658));
+                                                                        let _e1663 = bitcast<f32>((bitcast<u32>(_e1643) & 2147483647u));
+                                                                        let _e1665 = select(_e1663, _e1660, (_e1660 > _e1663));
+                                                                        let _e1668 = bitcast<f32>((bitcast<u32>(_e1645) & 2147483647u));
+                                                                        let _e1671 = bitcast<f32>((bitcast<u32>(_e1646) & 2147483647u));
+                                                                        let _e1673 = select(_e1671, _e1668, (_e1668 > _e1671));
+                                                                        let _e1676 = bitcast<f32>((bitcast<u32>(_e1647) & 2147483647u));
+                                                                        let _e1678 = select(_e1676, _e1673, (_e1673 > _e1676));
+                                                                        let _e1681 = bitcast<f32>((bitcast<u32>(_e1649) & 2147483647u));
+                                                                        let _e1684 = bitcast<f32>((bitcast<u32>(_e1650) & 2147483647u));
+                                                                        let _e1686 = select(_e1684, _e1681, (_e1681 > _e1684));
+                                                                        let _e1689 = bitcast<f32>((bitcast<u32>(_e1651) & 2147483647u));
+                                                                        let _e1691 = select(_e1689, _e1686, (_e1686 > _e1689));
+                                                                        let _e1693 = select(_e1678, _e1665, (_e1665 > _e1678));
+                                                                        let _e1695 = select(_e1691, _e1693, (_e1693 > _e1691));
+                                                                        if (_e1665 == _e1695) {
+                                                                            phi_2249_ = _e1502;
+                                                                            phi_2250_ = _e1499;
+                                                                            phi_2251_ = _e1489;
+                                                                            phi_2252_ = _e1486;
+                                                                            phi_2253_ = _e1638;
+                                                                            phi_2254_ = _e1652;
+                                                                            phi_2255_ = _e1648;
+                                                                            phi_2256_ = _e1644;
+                                                                        } else {
+                                                                            let _e1697 = (_e1678 == _e1695);
+                                                                            let _e1702 = vec3(_e1697);
+                                                                            phi_2249_ = select(_e1489, _e1515, _e1697);
+                                                                            phi_2250_ = select(_e1486, _e1512, _e1697);
+                                                                            phi_2251_ = select(_e1515, _e1502, _e1697);
+                                                                            phi_2252_ = select(_e1512, _e1499, _e1697);
+                                                                            phi_2253_ = select(_e1640, _e1639, _e1702);
+                                                                            phi_2254_ = select(_e1648, _e1644, _e1702);
+                                                                            phi_2255_ = select(_e1644, _e1652, _e1702);
+                                                                            phi_2256_ = select(_e1652, _e1648, _e1702);
+                                                                        }
+                                                                        let _e1708 = phi_2249_;
+                                                                        let _e1710 = phi_2250_;
+                                                                        let _e1712 = phi_2251_;
+                                                                        let _e1714 = phi_2252_;
+                                                                        let _e1716 = phi_2253_;
+                                                                        let _e1718 = phi_2254_;
+                                                                        let _e1720 = phi_2255_;
+                                                                        let _e1722 = phi_2256_;
+                                                                        let _e1729 = ((_e1720.y * _e1718.z) - (_e1718.y * _e1720.z));
+                                                                        let _e1734 = ((_e1720.z * _e1718.x) - (_e1718.z * _e1720.x));
+                                                                        let _e1737 = ((_e1720.x * _e1718.y) - (_e1718.x * _e1720.y));
+                                                                        if (_e1537 >= _e1541) {
+                                                                            phi_2287_ = select(true, false, (_e1537 >= _e1545));
+                                                                        } else {
+                                                                            phi_2287_ = true;
+                                                                        }
+                                                                        let _e1742 = phi_2287_;
+                                                                        if _e1742 {
+                                                                            phi_2296_ = select(_e1640, _e1639, vec3((_e1541 >= _e1545)));
+                                                                        } else {
+                                                                            phi_2296_ = _e1638;
+                                                                        }
+                                                                        let _e1747 = phi_2296_;
+                                                                        let _e1752 = (((_e1729 * _e334) + (_e1734 * _e372)) + (_e1737 * _e410));
+                                                                        let _e1763 = (((_e1729 * (_e1747.x - _e309)) + (_e1734 * (_e1747.y - _e348))) + (_e1737 * (_e1747.z - _e386)));
+                                                                        let _e1765 = (_e1710 - _e1714);
+                                                                        let _e1766 = (_e1708 - _e1712);
+                                                                        let _e1774 = (-(((_e1714 * _e1765) + (_e1712 * _e1766))) / ((_e1765 * _e1765) + (_e1766 * _e1766)));
+                                                                        let _e1776 = select(1f, _e1774, (_e1774 < 1f));
+                                                                        let _e1778 = select(0f, _e1776, (_e1776 > 0f));
+                                                                        let _e1791 = ((_e1716.x + (_e1722.x * _e1778)) - _e309);
+                                                                        let _e1792 = ((_e1716.y + (_e1722.y * _e1778)) - _e348);
+                                                                        let _e1793 = ((_e1716.z + (_e1722.z * _e1778)) - _e386);
+                                                                        let _e1794 = (_e1793 / _e410);
+                                                                        let _e1806 = bitcast<f32>((bitcast<u32>(_e1791) & 2147483647u));
+                                                                        let _e1809 = bitcast<f32>((bitcast<u32>(_e1792) & 2147483647u));
+                                                                        let _e1811 = select(_e1809, _e1806, (_e1806 > _e1809));
+                                                                        let _e1814 = bitcast<f32>((bitcast<u32>(_e1793) & 2147483647u));
+                                                                        let _e1816 = select(_e1814, _e1811, (_e1811 > _e1814));
+                                                                        let _e1822 = bitcast<f32>((bitcast<u32>(_e1729) & 2147483647u));
+                                                                        let _e1825 = bitcast<f32>((bitcast<u32>(_e1734) & 2147483647u));
+                                                                        let _e1827 = select(_e1825, _e1822, (_e1822 > _e1825));
+                                                                        let _e1830 = bitcast<f32>((bitcast<u32>(_e1737) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1729 * _e1791) + (_e1734 * _e1792)) + (_e1737 * _e1793)) - _e1763)) & 2147483647u)) <= ((0.0000009536743f * select(_e1695, _e1816, (_e1816 > _e1695))) * select(_e1830, _e1827, (_e1827 > _e1830)))) {
+                                                                            let _e1840 = bitcast<f32>((bitcast<u32>(_e1720.x) & 2147483647u));
+                                                                            let _e1843 = bitcast<f32>((bitcast<u32>(_e1720.y) & 2147483647u));
+                                                                            let _e1845 = select(_e1843, _e1840, (_e1840 > _e1843));
+                                                                            let _e1848 = bitcast<f32>((bitcast<u32>(_e1720.z) & 2147483647u));
+                                                                            let _e1854 = bitcast<f32>((bitcast<u32>(_e1718.x) & 2147483647u));
+                                                                            let _e1857 = bitcast<f32>((bitcast<u32>(_e1718.y) & 2147483647u));
+                                                                            let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
+                                                                            let _e1862 = bitcast<f32>((bitcast<u32>(_e1718.z) & 2147483647u));
+                                                                            phi_2463_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1752) & 2147483647u)) > ((0.0000038146973f * select(_e1848, _e1845, (_e1845 > _e1848))) * select(_e1862, _e1859, (_e1859 > _e1862)))));
+                                                                        } else {
+                                                                            phi_2463_ = true;
+                                                                        }
+                                                                        let _e1869 = phi_2463_;
+                                                                        if _e1869 {
+                                                                            let _e1880 = ((((_e1729 * (_e1791 - (_e334 * _e1794))) + (_e1734 * (_e1792 - (_e372 * _e1794)))) + (_e1737 * (_e1793 - _e1793))) / _e1752);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1880) & 2147483647u)) <= _e1695) {
+                                                                                phi_2487_ = (_e1794 + _e1880);
+                                                                            } else {
+                                                                                phi_2487_ = _e1794;
+                                                                            }
+                                                                            let _e1887 = phi_2487_;
+                                                                            phi_2488_ = _e1887;
+                                                                        } else {
+                                                                            phi_2488_ = (_e1763 / _e1752);
+                                                                        }
+                                                                        let _e1889 = phi_2488_;
+                                                                        let _e1891 = select(_e1628, _e1889, (_e1889 < _e1628));
+                                                                        let _e1893 = select(_e1620, _e1891, (_e1891 > _e1620));
+                                                                        if (_e1893 >= _e460) {
+                                                                            let _e1895 = (_e1893 <= _e1039.member.member_1);
+                                                                            if _e1895 {
+                                                                                let _e1896 = (1f / _e1547);
+                                                                                phi_2511_ = type_24(_e1893, (_e1541 * _e1896), (_e1545 * _e1896), _e1105);
+                                                                            } else {
+                                                                                phi_2511_ = type_24();
+                                                                            }
+                                                                            let _e1901 = phi_2511_;
+                                                                            phi_2513_ = _e1901;
+                                                                            phi_2514_ = select(true, false, _e1895);
+                                                                        } else {
+                                                                            phi_2513_ = type_24();
+                                                                            phi_2514_ = true;
+                                                                        }
+                                                                        let _e1904 = phi_2513_;
+                                                                        let _e1906 = phi_2514_;
+                                                                        if _e1906 {
+                                                                            phi_2518_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2518_ = _e1904;
+                                                                        }
+                                                                        let _e1908 = phi_2518_;
+                                                                        phi_2519_ = _e1908;
                                                                     }
-                                                                    let _e1733 = phi_2248_;
-                                                                    phi_2250_ = _e1733;
-                                                                    phi_2251_ = select(true, false, _e1727);
-                                                                } else {
-                                                                    phi_2250_ = type_24();
-                                                                    phi_2251_ = true;
+                                                                    let _e1910 = phi_2519_;
+                                                                    phi_2520_ = _e1910;
+                                                                    phi_2521_ = _e1637;
                                                                 }
-                                                                let _e1736 = phi_2250_;
-                                                                let _e1738 = phi_2251_;
-                                                                if _e1738 {
-                                                                    phi_2255_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_2255_ = _e1736;
-                                                                }
-                                                                let _e1740 = phi_2255_;
-                                                                phi_2256_ = _e1740;
+                                                                let _e1912 = phi_2520_;
+                                                                let _e1914 = phi_2521_;
+                                                                phi_2525_ = _e1912;
+                                                                phi_2526_ = _e1914;
                                                             }
-                                                            let _e1742 = phi_2256_;
-                                                            phi_2257_ = _e1742;
-                                                            phi_2258_ = _e1612;
+                                                            let _e1916 = phi_2525_;
+                                                            let _e1918 = phi_2526_;
+                                                            phi_2527_ = _e1916;
+                                                            phi_2528_ = _e1572;
+                                                            phi_2529_ = _e1918;
                                                         }
-                                                        let _e1744 = phi_2257_;
-                                                        let _e1746 = phi_2258_;
-                                                        phi_2262_ = _e1744;
-                                                        phi_2263_ = _e1746;
+                                                        let _e1920 = phi_2527_;
+                                                        let _e1922 = phi_2528_;
+                                                        let _e1924 = phi_2529_;
+                                                        phi_2530_ = _e1920;
+                                                        phi_2531_ = _e1922;
+                                                        phi_2532_ = _e1924;
                                                     }
-                                                    let _e1748 = phi_2262_;
-                                                    let _e1750 = phi_2263_;
-                                                    phi_2267_ = _e1748;
-                                                    phi_2268_ = _e1750;
+                                                    let _e1926 = phi_2530_;
+                                                    let _e1928 = phi_2531_;
+                                                    let _e1930 = phi_2532_;
+                                                    phi_2540_ = _e1926;
+                                                    phi_2541_ = select(_e1930, true, _e1928);
                                                 } else {
-                                                    phi_2267_ = type_24();
-                                                    phi_2268_ = true;
+                                                    phi_2540_ = type_24();
+                                                    phi_2541_ = true;
                                                 }
-                                                let _e1752 = phi_2267_;
-                                                let _e1754 = phi_2268_;
-                                                if _e1754 {
-                                                    phi_2272_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1933 = phi_2540_;
+                                                let _e1935 = phi_2541_;
+                                                if _e1935 {
+                                                    phi_2545_ = type_24(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2272_ = _e1752;
+                                                    phi_2545_ = _e1933;
                                                 }
-                                                let _e1756 = phi_2272_;
-                                                if (_e1756.member_3 != 4294967295u) {
-                                                    if (_e1104 != 4294967295u) {
-                                                        if (_e1756.member < _e1038.member.member.member) {
-                                                            phi_2298_ = true;
+                                                let _e1937 = phi_2545_;
+                                                if (_e1937.member_3 != 4294967295u) {
+                                                    if (_e1105 != 4294967295u) {
+                                                        if (_e1937.member < _e1039.member.member.member) {
+                                                            phi_2571_ = true;
                                                         } else {
-                                                            if (_e1756.member == _e1038.member.member.member) {
-                                                                phi_2297_ = (_e1756.member_3 < _e1038.member.member.member_3);
+                                                            if (_e1937.member == _e1039.member.member.member) {
+                                                                phi_2570_ = (_e1937.member_3 < _e1039.member.member.member_3);
                                                             } else {
-                                                                phi_2297_ = false;
+                                                                phi_2570_ = false;
                                                             }
-                                                            let _e1771 = phi_2297_;
-                                                            phi_2298_ = _e1771;
+                                                            let _e1952 = phi_2570_;
+                                                            phi_2571_ = _e1952;
                                                         }
-                                                        let _e1773 = phi_2298_;
-                                                        if _e1773 {
-                                                            phi_2305_ = type_39(type_32(_e1756, _e1756.member), _e1065.member_1, _e1065.member_2);
+                                                        let _e1954 = phi_2571_;
+                                                        if _e1954 {
+                                                            phi_2578_ = type_39(type_32(_e1937, _e1937.member), _e1066.member_1, _e1066.member_2);
                                                         } else {
-                                                            phi_2305_ = _e1065;
+                                                            phi_2578_ = _e1066;
                                                         }
-                                                        let _e1780 = phi_2305_;
-                                                        phi_2306_ = _e1780;
+                                                        let _e1961 = phi_2578_;
+                                                        phi_2579_ = _e1961;
                                                     } else {
-                                                        phi_2306_ = _e1065;
+                                                        phi_2579_ = _e1066;
                                                     }
-                                                    let _e1782 = phi_2306_;
-                                                    phi_2307_ = _e1782;
+                                                    let _e1963 = phi_2579_;
+                                                    phi_2580_ = _e1963;
                                                 } else {
-                                                    phi_2307_ = _e1065;
+                                                    phi_2580_ = _e1066;
                                                 }
-                                                let _e1784 = phi_2307_;
-                                                phi_975_ = _e1784;
+                                                let _e1965 = phi_2580_;
+                                                phi_981_ = _e1965;
                                             } else {
-                                                phi_975_ = type_39();
+                                                phi_981_ = type_39();
                                             }
-                                            let _e1786 = phi_975_;
+                                            let _e1967 = phi_981_;
                                             continue;
                                             continuing {
-                                                phi_974_ = _e1786;
-                                                phi_977_ = _e1053;
-                                                phi_3770_ = _e502;
-                                                break if !(_e1059);
+                                                phi_980_ = _e1967;
+                                                phi_983_ = _e1054;
+                                                phi_4043_ = _e503;
+                                                break if !(_e1060);
                                             }
                                         }
-                                        let _e1789 = phi_3770_;
-                                        phi_3931_ = _e1789;
-                                        if _e1789 {
+                                        let _e1970 = phi_4043_;
+                                        phi_4232_ = _e1970;
+                                        if _e1970 {
                                             break;
                                         }
-                                        phi_3935_ = _e1789;
-                                        let _e1976 = local_12;
-                                        phi_3550_ = _e1976;
-                                        phi_3551_ = _e544;
-                                        phi_3552_ = false;
-                                        phi_3553_ = _e548;
+                                        phi_4236_ = _e1970;
+                                        let _e2174 = local_12;
+                                        phi_3823_ = _e2174;
+                                        phi_3824_ = _e545;
+                                        phi_3825_ = false;
+                                        phi_3826_ = _e549;
                                     } else {
-                                        if (_e544.member_1 >= _e88) {
-                                            phi_3106_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e545.member_1 >= _e89) {
+                                            phi_3379_ = type_51(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_50(type_28(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e544.member_1 < _e88) {
+                                            if (_e545.member_1 < _e89) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e566 = (_e259 * 2u);
-                                            let _e568 = ((1u + _e566) % 7u);
-                                            if (_e568 < 7u) {
+                                            let _e567 = (_e260 * 2u);
+                                            let _e569 = ((1u + _e567) % 7u);
+                                            if (_e569 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e573 = global_4.member[_e544.member_1][_e568];
-                                            let _e575 = ((_e566 + 2u) % 7u);
-                                            if (_e575 < 7u) {
+                                            let _e574 = global_4.member[_e545.member_1][_e569];
+                                            let _e576 = ((_e567 + 2u) % 7u);
+                                            if (_e576 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e580 = global_4.member[_e544.member_1][_e575];
-                                            let _e581 = (_e258 * 2u);
-                                            let _e583 = ((1u + _e581) % 7u);
-                                            if (_e583 < 7u) {
+                                            let _e581 = global_4.member[_e545.member_1][_e576];
+                                            let _e582 = (_e259 * 2u);
+                                            let _e584 = ((1u + _e582) % 7u);
+                                            if (_e584 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e588 = global_4.member[_e544.member_1][_e583];
-                                            let _e590 = ((_e581 + 2u) % 7u);
-                                            if (_e590 < 7u) {
+                                            let _e589 = global_4.member[_e545.member_1][_e584];
+                                            let _e591 = ((_e582 + 2u) % 7u);
+                                            if (_e591 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e595 = global_4.member[_e544.member_1][_e590];
-                                            let _e596 = (_e260 * 2u);
-                                            let _e598 = ((1u + _e596) % 7u);
-                                            if (_e598 < 7u) {
+                                            let _e596 = global_4.member[_e545.member_1][_e591];
+                                            let _e597 = (_e261 * 2u);
+                                            let _e599 = ((1u + _e597) % 7u);
+                                            if (_e599 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e603 = global_4.member[_e544.member_1][_e598];
-                                            let _e605 = ((_e596 + 2u) % 7u);
-                                            if (_e605 < 7u) {
+                                            let _e604 = global_4.member[_e545.member_1][_e599];
+                                            let _e606 = ((_e597 + 2u) % 7u);
+                                            if (_e606 < 7u) {
                                             } else {
-                                                phi_3931_ = true;
+                                                phi_4232_ = true;
                                                 break;
                                             }
-                                            let _e610 = global_4.member[_e544.member_1][_e605];
-                                            let _e633 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.x - _e544.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.y - _e544.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e544.member.member_1.z - _e544.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e637 = select(_e139, _e633, (_e633 > _e139));
-                                            let _e639 = select(_e139, _e634, (_e634 > _e139));
-                                            let _e641 = select(_e139, _e635, (_e635 > _e139));
-                                            let _e666 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e637));
-                                            let _e671 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e674 = bitcast<f32>((_e666 & bitcast<u32>(_e671)));
-                                            let _e675 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e639));
-                                            let _e680 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e683 = bitcast<f32>((_e675 & bitcast<u32>(_e680)));
-                                            let _e684 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e641));
-                                            let _e689 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e692 = bitcast<f32>((_e684 & bitcast<u32>(_e689)));
-                                            let _e696 = bitcast<f32>((_e666 & bitcast<u32>(~(_e671))));
-                                            let _e700 = bitcast<f32>((_e675 & bitcast<u32>(~(_e680))));
-                                            let _e704 = bitcast<f32>((_e684 & bitcast<u32>(~(_e689))));
-                                            let _e705 = bitcast<u32>((f32(bitcast<i32>((_e580 & 2097151u))) * _e637));
-                                            let _e710 = (bitcast<i32>((_e580 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e713 = bitcast<f32>((_e705 & bitcast<u32>(_e710)));
-                                            let _e714 = bitcast<u32>((f32(bitcast<i32>((_e595 & 2097151u))) * _e639));
-                                            let _e719 = (bitcast<i32>((_e595 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e722 = bitcast<f32>((_e714 & bitcast<u32>(_e719)));
-                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e610 & 2097151u))) * _e641));
-                                            let _e728 = (bitcast<i32>((_e610 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
-                                            let _e735 = bitcast<f32>((_e705 & bitcast<u32>(~(_e710))));
-                                            let _e739 = bitcast<f32>((_e714 & bitcast<u32>(~(_e719))));
-                                            let _e743 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
-                                            let _e744 = (_e544.member.member.x + _e674);
-                                            let _e745 = (_e544.member.member.y + _e683);
-                                            let _e746 = (_e544.member.member.z + _e692);
-                                            let _e749 = (_e544.member.member_1.x - _e713);
-                                            let _e750 = (_e544.member.member_1.y - _e722);
-                                            let _e751 = (_e544.member.member_1.z - _e731);
-                                            let _e770 = (_e749 - _e744);
+                                            let _e611 = global_4.member[_e545.member_1][_e606];
+                                            let _e634 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.x - _e545.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e635 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.y - _e545.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e636 = (bitcast<f32>((bitcast<u32>((_e545.member.member_1.z - _e545.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e638 = select(_e140, _e634, (_e634 > _e140));
+                                            let _e640 = select(_e140, _e635, (_e635 > _e140));
+                                            let _e642 = select(_e140, _e636, (_e636 > _e140));
+                                            let _e667 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e638));
+                                            let _e672 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e675 = bitcast<f32>((_e667 & bitcast<u32>(_e672)));
+                                            let _e676 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e640));
+                                            let _e681 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e684 = bitcast<f32>((_e676 & bitcast<u32>(_e681)));
+                                            let _e685 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e642));
+                                            let _e690 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e693 = bitcast<f32>((_e685 & bitcast<u32>(_e690)));
+                                            let _e697 = bitcast<f32>((_e667 & bitcast<u32>(~(_e672))));
+                                            let _e701 = bitcast<f32>((_e676 & bitcast<u32>(~(_e681))));
+                                            let _e705 = bitcast<f32>((_e685 & bitcast<u32>(~(_e690))));
+                                            let _e706 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e638));
+                                            let _e711 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e714 = bitcast<f32>((_e706 & bitcast<u32>(_e711)));
+                                            let _e715 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e640));
+                                            let _e720 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e723 = bitcast<f32>((_e715 & bitcast<u32>(_e720)));
+                                            let _e724 = bitcast<u32>((f32(bitcast<i32>((_e611 & 2097151u))) * _e642));
+                                            let _e729 = (bitcast<i32>((_e611 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e732 = bitcast<f32>((_e724 & bitcast<u32>(_e729)));
+                                            let _e736 = bitcast<f32>((_e706 & bitcast<u32>(~(_e711))));
+                                            let _e740 = bitcast<f32>((_e715 & bitcast<u32>(~(_e720))));
+                                            let _e744 = bitcast<f32>((_e724 & bitcast<u32>(~(_e729))));
+                                            let _e745 = (_e545.member.member.x + _e675);
+                                            let _e746 = (_e545.member.member.y + _e684);
+                                            let _e747 = (_e545.member.member.z + _e693);
+                                            let _e750 = (_e545.member.member_1.x - _e714);
+                                            let _e751 = (_e545.member.member_1.y - _e723);
+                                            let _e752 = (_e545.member.member_1.z - _e732);
                                             let _e771 = (_e750 - _e745);
                                             let _e772 = (_e751 - _e746);
-                                            let _e774 = select(_e771, _e770, (_e770 > _e771));
-                                            let _e776 = select(_e772, _e774, (_e774 > _e772));
-                                            if (_e776 < (1024f * _e139)) {
-                                                phi_2807_ = 0u;
+                                            let _e773 = (_e752 - _e747);
+                                            let _e775 = select(_e772, _e771, (_e771 > _e772));
+                                            let _e777 = select(_e773, _e775, (_e775 > _e773));
+                                            if (_e777 < (1024f * _e140)) {
+                                                phi_3080_ = 0u;
                                             } else {
-                                                phi_2807_ = select(2u, 1u, (_e776 < (2097152f * _e139)));
+                                                phi_3080_ = select(2u, 1u, (_e777 < (2097152f * _e140)));
                                             }
-                                            let _e783 = phi_2807_;
-                                            switch bitcast<i32>(_e783) {
+                                            let _e784 = phi_3080_;
+                                            switch bitcast<i32>(_e784) {
                                                 case 0: {
-                                                    phi_2813_ = 1u;
+                                                    phi_3086_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_2813_ = 2u;
+                                                    phi_3086_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_2813_ = 3u;
+                                                    phi_3086_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_2813_ = u32();
+                                                    phi_3086_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e786 = phi_2813_;
-                                            let _e792 = global_4.member[_e544.member_1][0u];
-                                            let _e796 = global_4.member[_e544.member_1][2u];
-                                            let _e800 = global_4.member[_e544.member_1][4u];
-                                            let _e804 = global_4.member[_e544.member_1][6u];
-                                            let _e816 = (((_e796 >> bitcast<u32>(22i)) | ((_e800 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e804 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e817 = (_e792 & 268435455u);
-                                            let _e818 = (_e816 & 268435455u);
-                                            let _e821 = ((_e792 >> bitcast<u32>(28u)) & 7u);
-                                            let _e829 = ((_e792 >> bitcast<u32>(31i)) | (((_e816 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e830 = (_e821 != 0u);
-                                            if (_e821 == 0u) {
-                                                phi_3068_ = _e817;
+                                            let _e787 = phi_3086_;
+                                            let _e793 = global_4.member[_e545.member_1][0u];
+                                            let _e797 = global_4.member[_e545.member_1][2u];
+                                            let _e801 = global_4.member[_e545.member_1][4u];
+                                            let _e805 = global_4.member[_e545.member_1][6u];
+                                            let _e817 = (((_e797 >> bitcast<u32>(22i)) | ((_e801 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e805 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e818 = (_e793 & 268435455u);
+                                            let _e819 = (_e817 & 268435455u);
+                                            let _e822 = ((_e793 >> bitcast<u32>(28u)) & 7u);
+                                            let _e830 = ((_e793 >> bitcast<u32>(31i)) | (((_e817 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e831 = (_e822 != 0u);
+                                            if (_e822 == 0u) {
+                                                phi_3341_ = _e818;
                                             } else {
-                                                if (_e821 == 7u) {
-                                                    phi_3067_ = 2147483648u;
+                                                if (_e822 == 7u) {
+                                                    phi_3340_ = 2147483648u;
                                                 } else {
-                                                    phi_3067_ = ((2147483648u | (_e821 << bitcast<u32>(28u))) | (_e818 & 268435455u));
+                                                    phi_3340_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (_e819 & 268435455u));
                                                 }
-                                                let _e839 = phi_3067_;
-                                                phi_3068_ = _e839;
+                                                let _e840 = phi_3340_;
+                                                phi_3341_ = _e840;
                                             }
-                                            let _e841 = phi_3068_;
-                                            if _e830 {
-                                                let _e842 = (_e821 != 7u);
-                                                if _e842 {
-                                                    phi_3078_ = (_e818 + (_e821 * ((3u * _e786) + 1u)));
+                                            let _e842 = phi_3341_;
+                                            if _e831 {
+                                                let _e843 = (_e822 != 7u);
+                                                if _e843 {
+                                                    phi_3351_ = (_e819 + (_e822 * ((3u * _e787) + 1u)));
                                                 } else {
-                                                    phi_3078_ = u32();
+                                                    phi_3351_ = u32();
                                                 }
-                                                let _e846 = phi_3078_;
-                                                phi_3080_ = _e846;
-                                                phi_3081_ = select(true, false, _e842);
+                                                let _e847 = phi_3351_;
+                                                phi_3353_ = _e847;
+                                                phi_3354_ = select(true, false, _e843);
                                             } else {
-                                                phi_3080_ = u32();
-                                                phi_3081_ = true;
+                                                phi_3353_ = u32();
+                                                phi_3354_ = true;
                                             }
-                                            let _e849 = phi_3080_;
-                                            let _e851 = phi_3081_;
-                                            if (_e829 == 0u) {
-                                                phi_3102_ = (_e817 + select(0u, 1u, !(_e830)));
+                                            let _e850 = phi_3353_;
+                                            let _e852 = phi_3354_;
+                                            if (_e830 == 0u) {
+                                                phi_3375_ = (_e818 + select(0u, 1u, !(_e831)));
                                             } else {
-                                                if (_e829 == 7u) {
-                                                    phi_3101_ = 2147483648u;
+                                                if (_e830 == 7u) {
+                                                    phi_3374_ = 2147483648u;
                                                 } else {
-                                                    phi_3101_ = ((2147483648u | (_e829 << bitcast<u32>(28u))) | (select(_e849, _e818, _e851) & 268435455u));
+                                                    phi_3374_ = ((2147483648u | (_e830 << bitcast<u32>(28u))) | (select(_e850, _e819, _e852) & 268435455u));
                                                 }
-                                                let _e864 = phi_3101_;
-                                                phi_3102_ = _e864;
+                                                let _e865 = phi_3374_;
+                                                phi_3375_ = _e865;
                                             }
-                                            let _e866 = phi_3102_;
-                                            phi_3106_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e744, (_e544.member.member.x + _e696), _e749, (_e544.member.member_1.x - _e735)), vec4<f32>(_e745, (_e544.member.member.y + _e700), _e750, (_e544.member.member_1.y - _e739)), vec4<f32>(_e746, (_e544.member.member.z + _e704), _e751, (_e544.member.member_1.z - _e743))), type_50(type_28((_e544.member.member + vec4<f32>(_e674, _e683, _e692, 0f)), (_e544.member.member_1 - vec4<f32>(_e713, _e722, _e731, 0f))), _e841), type_50(type_28((_e544.member.member + vec4<f32>(_e696, _e700, _e704, 0f)), (_e544.member.member_1 - vec4<f32>(_e735, _e739, _e743, 0f))), _e866));
+                                            let _e867 = phi_3375_;
+                                            phi_3379_ = type_51(array<vec4<f32>, 3>(vec4<f32>(_e745, (_e545.member.member.x + _e697), _e750, (_e545.member.member_1.x - _e736)), vec4<f32>(_e746, (_e545.member.member.y + _e701), _e751, (_e545.member.member_1.y - _e740)), vec4<f32>(_e747, (_e545.member.member.z + _e705), _e752, (_e545.member.member_1.z - _e744))), type_50(type_28((_e545.member.member + vec4<f32>(_e675, _e684, _e693, 0f)), (_e545.member.member_1 - vec4<f32>(_e714, _e723, _e732, 0f))), _e842), type_50(type_28((_e545.member.member + vec4<f32>(_e697, _e701, _e705, 0f)), (_e545.member.member_1 - vec4<f32>(_e736, _e740, _e744, 0f))), _e867));
                                         }
-                                        let _e871 = phi_3106_;
-                                        let _e884 = ((_e871.member[0].x - _e331) * _e336);
-                                        let _e885 = ((_e871.member[0].y - _e331) * _e336);
-                                        let _e886 = ((_e871.member[0].z - _e332) * _e336);
-                                        let _e887 = ((_e871.member[0].w - _e332) * _e336);
-                                        let _e897 = ((_e871.member[1].x - _e369) * _e374);
-                                        let _e898 = ((_e871.member[1].y - _e369) * _e374);
-                                        let _e899 = ((_e871.member[1].z - _e370) * _e374);
-                                        let _e900 = ((_e871.member[1].w - _e370) * _e374);
-                                        let _e910 = ((_e871.member[2].x - _e407) * _e412);
-                                        let _e911 = ((_e871.member[2].y - _e407) * _e412);
-                                        let _e912 = ((_e871.member[2].z - _e408) * _e412);
-                                        let _e913 = ((_e871.member[2].w - _e408) * _e412);
-                                        let _e915 = select(_e912, _e910, (_e910 < _e912));
-                                        let _e917 = select(_e913, _e911, (_e911 < _e913));
-                                        let _e919 = select(_e912, _e910, (_e910 > _e912));
-                                        let _e921 = select(_e913, _e911, (_e911 > _e913));
-                                        let _e923 = select(_e886, _e884, (_e884 < _e886));
-                                        let _e925 = select(_e887, _e885, (_e885 < _e887));
-                                        let _e927 = select(_e899, _e897, (_e897 < _e899));
-                                        let _e929 = select(_e900, _e898, (_e898 < _e900));
-                                        let _e931 = select(_e927, _e923, (_e923 > _e927));
-                                        let _e933 = select(_e929, _e925, (_e925 > _e929));
-                                        let _e935 = select(_e915, _e931, (_e931 > _e915));
-                                        let _e937 = select(_e917, _e933, (_e933 > _e917));
-                                        let _e939 = select(_e886, _e884, (_e884 > _e886));
-                                        let _e941 = select(_e887, _e885, (_e885 > _e887));
-                                        let _e943 = select(_e899, _e897, (_e897 > _e899));
-                                        let _e945 = select(_e900, _e898, (_e898 > _e900));
-                                        let _e947 = select(_e943, _e939, (_e939 < _e943));
-                                        let _e949 = select(_e945, _e941, (_e941 < _e945));
-                                        let _e954 = -(_e915);
-                                        let _e955 = -(_e917);
-                                        let _e962 = (select(_e919, _e947, (_e947 < _e919)) + (select(_e954, _e919, (_e919 > _e954)) * 0.0000019073523f));
-                                        let _e963 = (select(_e921, _e949, (_e949 < _e921)) + (select(_e955, _e921, (_e921 > _e955)) * 0.0000019073523f));
-                                        let _e965 = select(_e459, _e935, (_e935 > _e459));
-                                        let _e967 = select(_e459, _e937, (_e937 > _e459));
-                                        let _e972 = (_e965 <= select(_e504.member.member_1, _e962, (_e962 < _e504.member.member_1)));
-                                        let _e973 = (_e967 <= select(_e504.member.member_1, _e963, (_e963 < _e504.member.member_1)));
-                                        let _e974 = (_e965 <= _e967);
-                                        if _e972 {
+                                        let _e872 = phi_3379_;
+                                        let _e885 = ((_e872.member[0].x - _e332) * _e337);
+                                        let _e886 = ((_e872.member[0].y - _e332) * _e337);
+                                        let _e887 = ((_e872.member[0].z - _e333) * _e337);
+                                        let _e888 = ((_e872.member[0].w - _e333) * _e337);
+                                        let _e898 = ((_e872.member[1].x - _e370) * _e375);
+                                        let _e899 = ((_e872.member[1].y - _e370) * _e375);
+                                        let _e900 = ((_e872.member[1].z - _e371) * _e375);
+                                        let _e901 = ((_e872.member[1].w - _e371) * _e375);
+                                        let _e911 = ((_e872.member[2].x - _e408) * _e413);
+                                        let _e912 = ((_e872.member[2].y - _e408) * _e413);
+                                        let _e913 = ((_e872.member[2].z - _e409) * _e413);
+                                        let _e914 = ((_e872.member[2].w - _e409) * _e413);
+                                        let _e916 = select(_e913, _e911, (_e911 < _e913));
+                                        let _e918 = select(_e914, _e912, (_e912 < _e914));
+                                        let _e920 = select(_e913, _e911, (_e911 > _e913));
+                                        let _e922 = select(_e914, _e912, (_e912 > _e914));
+                                        let _e924 = select(_e887, _e885, (_e885 < _e887));
+                                        let _e926 = select(_e888, _e886, (_e886 < _e888));
+                                        let _e928 = select(_e900, _e898, (_e898 < _e900));
+                                        let _e930 = select(_e901, _e899, (_e899 < _e901));
+                                        let _e932 = select(_e928, _e924, (_e924 > _e928));
+                                        let _e934 = select(_e930, _e926, (_e926 > _e930));
+                                        let _e936 = select(_e916, _e932, (_e932 > _e916));
+                                        let _e938 = select(_e918, _e934, (_e934 > _e918));
+                                        let _e940 = select(_e887, _e885, (_e885 > _e887));
+                                        let _e942 = select(_e888, _e886, (_e886 > _e888));
+                                        let _e944 = select(_e900, _e898, (_e898 > _e900));
+                                        let _e946 = select(_e901, _e899, (_e899 > _e901));
+                                        let _e948 = select(_e944, _e940, (_e940 < _e944));
+                                        let _e950 = select(_e946, _e942, (_e942 < _e946));
+                                        let _e955 = -(_e916);
+                                        let _e956 = -(_e918);
+                                        let _e963 = (select(_e920, _e948, (_e948 < _e920)) + (select(_e955, _e920, (_e920 > _e955)) * 0.0000019073523f));
+                                        let _e964 = (select(_e922, _e950, (_e950 < _e922)) + (select(_e956, _e922, (_e922 > _e956)) * 0.0000019073523f));
+                                        let _e966 = select(_e460, _e936, (_e936 > _e460));
+                                        let _e968 = select(_e460, _e938, (_e938 > _e460));
+                                        let _e973 = (_e966 <= select(_e505.member.member_1, _e963, (_e963 < _e505.member.member_1)));
+                                        let _e974 = (_e968 <= select(_e505.member.member_1, _e964, (_e964 < _e505.member.member_1)));
+                                        let _e975 = (_e966 <= _e968);
+                                        if _e973 {
+                                            if _e974 {
+                                                if _e975 {
+                                                    phi_3723_ = _e872.member_2;
+                                                } else {
+                                                    phi_3723_ = _e872.member_1;
+                                                }
+                                                let _e979 = phi_3723_;
+                                                let _e1001 = (_e549 % 128u);
+                                                let _e1002 = (_e1001 < 128u);
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e1001] = _e979.member_1;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e1001] = _e979.member.member.x;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e1001] = _e979.member.member.y;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e1001] = _e979.member.member.z;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e1001] = _e979.member.member_1.x;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e1001] = _e979.member.member_1.y;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e1001] = _e979.member.member_1.z;
+                                                if _e1002 {
+                                                } else {
+                                                    phi_4232_ = true;
+                                                    break;
+                                                }
+                                                local_9[_e1001] = select(_e968, _e966, (_e966 > _e968));
+                                                if _e975 {
+                                                    phi_3800_ = _e872.member_1;
+                                                } else {
+                                                    phi_3800_ = _e872.member_2;
+                                                }
+                                                let _e1015 = phi_3800_;
+                                                phi_3801_ = _e1015;
+                                                phi_3802_ = (_e549 + 1u);
+                                            } else {
+                                                phi_3801_ = type_50();
+                                                phi_3802_ = u32();
+                                            }
+                                            let _e1017 = phi_3801_;
+                                            let _e1019 = phi_3802_;
+                                            phi_3804_ = _e1017;
+                                            phi_3805_ = _e1019;
+                                            phi_3806_ = select(true, false, _e974);
+                                        } else {
+                                            phi_3804_ = type_50();
+                                            phi_3805_ = u32();
+                                            phi_3806_ = true;
+                                        }
+                                        let _e1022 = phi_3804_;
+                                        let _e1024 = phi_3805_;
+                                        let _e1026 = phi_3806_;
+                                        if _e1026 {
                                             if _e973 {
-                                                if _e974 {
-                                                    phi_3450_ = _e871.member_2;
-                                                } else {
-                                                    phi_3450_ = _e871.member_1;
-                                                }
-                                                let _e978 = phi_3450_;
-                                                let _e1000 = (_e548 % 128u);
-                                                let _e1001 = (_e1000 < 128u);
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e1000] = _e978.member_1;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e1000] = _e978.member.member.x;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e1000] = _e978.member.member.y;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e1000] = _e978.member.member.z;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e1000] = _e978.member.member_1.x;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e1000] = _e978.member.member_1.y;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e1000] = _e978.member.member_1.z;
-                                                if _e1001 {
-                                                } else {
-                                                    phi_3931_ = true;
-                                                    break;
-                                                }
-                                                local_9[_e1000] = select(_e967, _e965, (_e965 > _e967));
-                                                if _e974 {
-                                                    phi_3527_ = _e871.member_1;
-                                                } else {
-                                                    phi_3527_ = _e871.member_2;
-                                                }
-                                                let _e1014 = phi_3527_;
-                                                phi_3528_ = _e1014;
-                                                phi_3529_ = (_e548 + 1u);
+                                                phi_3815_ = _e872.member_1;
                                             } else {
-                                                phi_3528_ = type_50();
-                                                phi_3529_ = u32();
+                                                phi_3815_ = _e872.member_2;
                                             }
-                                            let _e1016 = phi_3528_;
-                                            let _e1018 = phi_3529_;
-                                            phi_3531_ = _e1016;
-                                            phi_3532_ = _e1018;
-                                            phi_3533_ = select(true, false, _e973);
+                                            let _e1030 = phi_3815_;
+                                            phi_3820_ = _e1030;
+                                            phi_3821_ = select(_e974, true, _e973);
                                         } else {
-                                            phi_3531_ = type_50();
-                                            phi_3532_ = u32();
-                                            phi_3533_ = true;
+                                            phi_3820_ = _e1022;
+                                            phi_3821_ = _e547;
                                         }
-                                        let _e1021 = phi_3531_;
-                                        let _e1023 = phi_3532_;
-                                        let _e1025 = phi_3533_;
-                                        if _e1025 {
-                                            if _e972 {
-                                                phi_3542_ = _e871.member_1;
-                                            } else {
-                                                phi_3542_ = _e871.member_2;
-                                            }
-                                            let _e1029 = phi_3542_;
-                                            phi_3547_ = _e1029;
-                                            phi_3548_ = select(_e973, true, _e972);
-                                        } else {
-                                            phi_3547_ = _e1021;
-                                            phi_3548_ = _e546;
-                                        }
-                                        let _e1032 = phi_3547_;
-                                        let _e1034 = phi_3548_;
-                                        phi_3935_ = _e502;
-                                        phi_3550_ = type_39(_e504.member, (_e504.member_1 + 1u), _e504.member_2);
-                                        phi_3551_ = _e1032;
-                                        phi_3552_ = _e1034;
-                                        phi_3553_ = select(_e1023, _e548, _e1025);
+                                        let _e1033 = phi_3820_;
+                                        let _e1035 = phi_3821_;
+                                        phi_4236_ = _e503;
+                                        phi_3823_ = type_39(_e505.member, (_e505.member_1 + 1u), _e505.member_2);
+                                        phi_3824_ = _e1033;
+                                        phi_3825_ = _e1035;
+                                        phi_3826_ = select(_e1024, _e549, _e1026);
                                     }
-                                    let _e1791 = phi_3935_;
-                                    let _e1793 = phi_3550_;
-                                    let _e1795 = phi_3551_;
-                                    let _e1797 = phi_3552_;
-                                    let _e1799 = phi_3553_;
-                                    phi_3934_ = _e1791;
-                                    phi_3554_ = _e1793;
-                                    phi_3555_ = _e1795;
-                                    phi_3556_ = (_e508 - 1u);
-                                    phi_3557_ = _e1797;
-                                    phi_3558_ = _e1799;
+                                    let _e1972 = phi_4236_;
+                                    let _e1974 = phi_3823_;
+                                    let _e1976 = phi_3824_;
+                                    let _e1978 = phi_3825_;
+                                    let _e1980 = phi_3826_;
+                                    phi_4235_ = _e1972;
+                                    phi_3827_ = _e1974;
+                                    phi_3828_ = _e1976;
+                                    phi_3829_ = (_e509 - 1u);
+                                    phi_3830_ = _e1978;
+                                    phi_3831_ = _e1980;
                                 } else {
-                                    phi_3934_ = _e502;
-                                    phi_3554_ = _e504;
-                                    phi_3555_ = _e544;
-                                    phi_3556_ = _e508;
-                                    phi_3557_ = _e546;
-                                    phi_3558_ = _e548;
+                                    phi_4235_ = _e503;
+                                    phi_3827_ = _e505;
+                                    phi_3828_ = _e545;
+                                    phi_3829_ = _e509;
+                                    phi_3830_ = _e547;
+                                    phi_3831_ = _e549;
                                 }
-                                let _e1801 = phi_3934_;
-                                let _e1803 = phi_3554_;
-                                let _e1805 = phi_3555_;
-                                let _e1807 = phi_3556_;
-                                let _e1809 = phi_3557_;
-                                let _e1811 = phi_3558_;
-                                phi_3933_ = _e1801;
-                                phi_3559_ = _e1803;
-                                phi_3560_ = _e1805;
-                                phi_3561_ = _e1807;
-                                phi_3562_ = _e1809;
-                                phi_3563_ = _e1811;
+                                let _e1982 = phi_4235_;
+                                let _e1984 = phi_3827_;
+                                let _e1986 = phi_3828_;
+                                let _e1988 = phi_3829_;
+                                let _e1990 = phi_3830_;
+                                let _e1992 = phi_3831_;
+                                phi_4234_ = _e1982;
+                                phi_3832_ = _e1984;
+                                phi_3833_ = _e1986;
+                                phi_3834_ = _e1988;
+                                phi_3835_ = _e1990;
+                                phi_3836_ = _e1992;
                             } else {
-                                phi_3933_ = _e502;
-                                phi_3559_ = type_39();
-                                phi_3560_ = type_50();
-                                phi_3561_ = u32();
-                                phi_3562_ = bool();
-                                phi_3563_ = u32();
+                                phi_4234_ = _e503;
+                                phi_3832_ = type_39();
+                                phi_3833_ = type_50();
+                                phi_3834_ = u32();
+                                phi_3835_ = bool();
+                                phi_3836_ = u32();
                             }
-                            let _e1813 = phi_3933_;
-                            let _e1815 = phi_3559_;
-                            let _e1817 = phi_3560_;
-                            let _e1819 = phi_3561_;
-                            let _e1821 = phi_3562_;
-                            let _e1823 = phi_3563_;
-                            phi_3932_ = _e1813;
-                            phi_848_ = _e1815;
-                            phi_851_ = _e1817;
-                            phi_853_ = _e1819;
-                            phi_855_ = _e1821;
-                            phi_857_ = _e1823;
-                            phi_3564_ = _e516;
+                            let _e1994 = phi_4234_;
+                            let _e1996 = phi_3832_;
+                            let _e1998 = phi_3833_;
+                            let _e2000 = phi_3834_;
+                            let _e2002 = phi_3835_;
+                            let _e2004 = phi_3836_;
+                            phi_4233_ = _e1994;
+                            phi_854_ = _e1996;
+                            phi_857_ = _e1998;
+                            phi_859_ = _e2000;
+                            phi_861_ = _e2002;
+                            phi_863_ = _e2004;
+                            phi_3837_ = _e517;
                         } else {
-                            phi_3932_ = _e502;
-                            phi_848_ = type_39();
-                            phi_851_ = type_50();
-                            phi_853_ = u32();
-                            phi_855_ = bool();
-                            phi_857_ = u32();
-                            phi_3564_ = false;
+                            phi_4233_ = _e503;
+                            phi_854_ = type_39();
+                            phi_857_ = type_50();
+                            phi_859_ = u32();
+                            phi_861_ = bool();
+                            phi_863_ = u32();
+                            phi_3837_ = false;
                         }
-                        let _e1825 = phi_3932_;
-                        let _e1827 = phi_848_;
-                        let _e1829 = phi_851_;
-                        let _e1831 = phi_853_;
-                        let _e1833 = phi_855_;
-                        let _e1835 = phi_857_;
-                        let _e1837 = phi_3564_;
+                        let _e2006 = phi_4233_;
+                        let _e2008 = phi_854_;
+                        let _e2010 = phi_857_;
+                        let _e2012 = phi_859_;
+                        let _e2014 = phi_861_;
+                        let _e2016 = phi_863_;
+                        let _e2018 = phi_3837_;
                         continue;
                         continuing {
-                            phi_3776_ = _e1825;
-                            phi_847_ = _e1827;
-                            phi_850_ = _e1829;
-                            phi_852_ = _e1831;
-                            phi_854_ = _e1833;
-                            phi_856_ = _e1835;
-                            phi_3931_ = _e1825;
-                            break if !(_e1837);
+                            phi_4049_ = _e2006;
+                            phi_853_ = _e2008;
+                            phi_856_ = _e2010;
+                            phi_858_ = _e2012;
+                            phi_860_ = _e2014;
+                            phi_862_ = _e2016;
+                            phi_4232_ = _e2006;
+                            break if !(_e2018);
                         }
                     }
-                    let _e1840 = phi_3931_;
-                    if _e1840 {
+                    let _e2021 = phi_4232_;
+                    if _e2021 {
                         break;
                     }
-                    let _e1842 = local_10;
-                    let _e1845 = local_11;
-                    if _e147 {
+                    let _e2023 = local_10;
+                    let _e2026 = local_11;
+                    if _e148 {
                     } else {
                         break;
                     }
-                    global_6.member[_e145][0u] = _e1842.member_1;
-                    global_6.member[_e145][1u] = _e1845.member_2;
+                    global_6.member[_e146][0u] = _e2023.member_1;
+                    global_6.member[_e146][1u] = _e2026.member_2;
                 }
             }
             break;

@@ -72,1127 +72,1252 @@ fn function_() {
     var local: array<type_23, 8>;
     var local_1: array<f32, 128>;
     var local_2: array<u32, 128>;
-    var phi_276_: i32;
-    var phi_277_: i32;
-    var phi_287_: bool;
-    var phi_297_: u32;
-    var phi_298_: u32;
-    var phi_300_: bool;
-    var phi_305_: u32;
-    var phi_317_: i32;
-    var phi_337_: i32;
-    var phi_355_: f32;
-    var phi_361_: f32;
-    var phi_372_: f32;
-    var phi_378_: f32;
-    var phi_401_: f32;
-    var phi_412_: f32;
-    var phi_421_: f32;
-    var phi_427_: f32;
-    var phi_438_: f32;
-    var phi_444_: f32;
-    var phi_467_: f32;
-    var phi_478_: f32;
-    var phi_487_: f32;
-    var phi_493_: f32;
-    var phi_504_: f32;
-    var phi_510_: f32;
-    var phi_533_: f32;
-    var phi_544_: f32;
-    var phi_644_: f32;
-    var phi_645_: f32;
-    var phi_2273_: bool;
-    var phi_2253_: f32;
-    var phi_709_: u32;
-    var phi_712_: u32;
-    var phi_714_: bool;
-    var phi_716_: u32;
-    var phi_727_: bool;
-    var phi_760_: u32;
-    var phi_761_: bool;
-    var phi_762_: u32;
-    var phi_1651_: type_39;
-    var phi_1996_: u32;
-    var phi_2024_: u32;
-    var phi_2025_: u32;
-    var phi_2026_: u32;
-    var phi_2028_: u32;
-    var phi_2029_: u32;
-    var phi_2030_: bool;
-    var phi_2039_: u32;
-    var phi_2044_: u32;
-    var phi_2045_: bool;
-    var phi_2270_: bool;
-    var phi_2260_: f32;
-    var phi_777_: type_4;
-    var phi_778_: type_4;
-    var phi_801_: type_4;
-    var phi_822_: u32;
-    var phi_911_: array<array<f32, 3>, 3>;
-    var phi_1383_: vec3<f32>;
-    var phi_1384_: vec3<f32>;
-    var phi_1415_: bool;
-    var phi_1424_: vec3<f32>;
-    var phi_1464_: type_23;
-    var phi_1466_: type_23;
-    var phi_1467_: bool;
-    var phi_1471_: type_23;
-    var phi_1472_: type_23;
-    var phi_1473_: type_23;
-    var phi_1474_: bool;
-    var phi_1478_: type_23;
-    var phi_1479_: bool;
-    var phi_1483_: type_23;
-    var phi_1484_: bool;
-    var phi_1488_: type_23;
-    var phi_1500_: type_4;
-    var phi_1503_: type_23;
-    var phi_1501_: type_4;
-    var phi_1526_: type_4;
-    var phi_1558_: bool;
-    var phi_1559_: bool;
-    var phi_1580_: type_23;
-    var phi_1504_: type_23;
-    var phi_2261_: bool;
-    var phi_2528_: f32;
-    var phi_2527_: f32;
-    var phi_2378_: bool;
-    var phi_2526_: f32;
-    var phi_2377_: bool;
+    var phi_281_: i32;
+    var phi_282_: i32;
+    var phi_292_: bool;
+    var phi_302_: u32;
+    var phi_303_: u32;
+    var phi_305_: bool;
+    var phi_310_: u32;
+    var phi_322_: i32;
+    var phi_342_: i32;
+    var phi_360_: f32;
+    var phi_366_: f32;
+    var phi_377_: f32;
+    var phi_383_: f32;
+    var phi_406_: f32;
+    var phi_417_: f32;
+    var phi_426_: f32;
+    var phi_432_: f32;
+    var phi_443_: f32;
+    var phi_449_: f32;
+    var phi_472_: f32;
+    var phi_483_: f32;
+    var phi_492_: f32;
+    var phi_498_: f32;
+    var phi_509_: f32;
+    var phi_515_: f32;
+    var phi_538_: f32;
+    var phi_549_: f32;
+    var phi_649_: f32;
+    var phi_650_: f32;
+    var phi_2545_: bool;
     var phi_2525_: f32;
-    var phi_2376_: bool;
-    var phi_2465_: f32;
-    var phi_2375_: bool;
-    var phi_2430_: f32;
-    var phi_2384_: bool;
-    var phi_2047_: u32;
-    var phi_2048_: bool;
-    var phi_2049_: u32;
-    var phi_2429_: f32;
-    var phi_2383_: bool;
-    var phi_2050_: u32;
-    var phi_2051_: u32;
-    var phi_2052_: bool;
-    var phi_2053_: u32;
-    var phi_2428_: f32;
-    var phi_2382_: bool;
-    var phi_2054_: u32;
-    var phi_2055_: u32;
-    var phi_2056_: bool;
-    var phi_2057_: u32;
-    var phi_2427_: f32;
-    var phi_2381_: bool;
-    var phi_710_: u32;
-    var phi_713_: u32;
-    var phi_715_: bool;
+    var phi_714_: u32;
     var phi_717_: u32;
-    var phi_2058_: bool;
-    var phi_2380_: bool;
-    var phi_2065_: type_4;
-    var phi_2066_: type_4;
-    var phi_2089_: type_4;
-    var phi_2155_: type_23;
-    var phi_2420_: bool;
+    var phi_719_: bool;
+    var phi_721_: u32;
+    var phi_732_: bool;
+    var phi_765_: u32;
+    var phi_766_: bool;
+    var phi_767_: u32;
+    var phi_1923_: type_39;
+    var phi_2268_: u32;
+    var phi_2296_: u32;
+    var phi_2297_: u32;
+    var phi_2298_: u32;
+    var phi_2300_: u32;
+    var phi_2301_: u32;
+    var phi_2302_: bool;
+    var phi_2311_: u32;
+    var phi_2316_: u32;
+    var phi_2317_: bool;
+    var phi_2542_: bool;
+    var phi_2532_: f32;
+    var phi_782_: type_4;
+    var phi_783_: type_4;
+    var phi_806_: type_4;
+    var phi_827_: u32;
+    var phi_916_: array<array<f32, 3>, 3>;
+    var phi_1034_: bool;
+    var phi_1063_: bool;
+    var phi_1464_: f32;
+    var phi_1465_: f32;
+    var phi_1466_: f32;
+    var phi_1467_: f32;
+    var phi_1468_: vec3<f32>;
+    var phi_1469_: vec3<f32>;
+    var phi_1470_: vec3<f32>;
+    var phi_1471_: vec3<f32>;
+    var phi_1502_: bool;
+    var phi_1511_: vec3<f32>;
+    var phi_1678_: bool;
+    var phi_1702_: f32;
+    var phi_1703_: f32;
+    var phi_1726_: type_23;
+    var phi_1728_: type_23;
+    var phi_1729_: bool;
+    var phi_1733_: type_23;
+    var phi_1734_: type_23;
+    var phi_1735_: type_23;
+    var phi_1736_: bool;
+    var phi_1740_: type_23;
+    var phi_1741_: bool;
+    var phi_1742_: type_23;
+    var phi_1743_: bool;
+    var phi_1744_: bool;
+    var phi_1745_: type_23;
+    var phi_1746_: bool;
+    var phi_1747_: bool;
+    var phi_1755_: type_23;
+    var phi_1756_: bool;
+    var phi_1760_: type_23;
+    var phi_1772_: type_4;
+    var phi_1775_: type_23;
+    var phi_1773_: type_4;
+    var phi_1798_: type_4;
+    var phi_1830_: bool;
+    var phi_1831_: bool;
+    var phi_1852_: type_23;
+    var phi_1776_: type_23;
+    var phi_2533_: bool;
+    var phi_2856_: f32;
+    var phi_2855_: f32;
+    var phi_2678_: bool;
+    var phi_2854_: f32;
+    var phi_2677_: bool;
+    var phi_2853_: f32;
+    var phi_2676_: bool;
+    var phi_2765_: f32;
+    var phi_2675_: bool;
+    var phi_2730_: f32;
+    var phi_2684_: bool;
+    var phi_2319_: u32;
+    var phi_2320_: bool;
+    var phi_2321_: u32;
+    var phi_2729_: f32;
+    var phi_2683_: bool;
+    var phi_2322_: u32;
+    var phi_2323_: u32;
+    var phi_2324_: bool;
+    var phi_2325_: u32;
+    var phi_2728_: f32;
+    var phi_2682_: bool;
+    var phi_2326_: u32;
+    var phi_2327_: u32;
+    var phi_2328_: bool;
+    var phi_2329_: u32;
+    var phi_2727_: f32;
+    var phi_2681_: bool;
+    var phi_715_: u32;
+    var phi_718_: u32;
+    var phi_720_: bool;
+    var phi_722_: u32;
+    var phi_2330_: bool;
+    var phi_2680_: bool;
+    var phi_2337_: type_4;
+    var phi_2338_: type_4;
+    var phi_2361_: type_4;
+    var phi_2427_: type_23;
+    var phi_2720_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e66 = global;
-            let _e68 = arrayLength((&global_2.member));
-            let _e70 = arrayLength((&global_3.member));
-            let _e78 = (_e66.x + (_e66.y * 2097152u));
-            let _e81 = global_1.member[0u];
-            let _e82 = bitcast<i32>(_e81);
-            let _e83 = (_e78 < arrayLength((&global_4.member)));
-            if _e83 {
-                let _e84 = (_e78 < arrayLength((&global_5.member)));
-                if _e84 {
-                    if _e83 {
+            let _e68 = global;
+            let _e70 = arrayLength((&global_2.member));
+            let _e72 = arrayLength((&global_3.member));
+            let _e80 = (_e68.x + (_e68.y * 2097152u));
+            let _e83 = global_1.member[0u];
+            let _e84 = bitcast<i32>(_e83);
+            let _e85 = (_e80 < arrayLength((&global_4.member)));
+            if _e85 {
+                let _e86 = (_e80 < arrayLength((&global_5.member)));
+                if _e86 {
+                    if _e85 {
                     } else {
                         break;
                     }
-                    let _e92 = global_4.member[_e78].member_2[0u];
-                    let _e94 = (bitcast<u32>(_e92) & 2147483647u);
-                    let _e99 = global_4.member[_e78].member_2[1u];
-                    let _e101 = (bitcast<u32>(_e99) & 2147483647u);
-                    let _e106 = global_4.member[_e78].member_2[2u];
-                    let _e108 = (bitcast<u32>(_e106) & 2147483647u);
-                    let _e113 = global_4.member[_e78].member[0u];
-                    let _e115 = (bitcast<u32>(_e113) & 2147483647u);
-                    let _e120 = global_4.member[_e78].member[1u];
-                    let _e122 = (bitcast<u32>(_e120) & 2147483647u);
-                    let _e127 = global_4.member[_e78].member[2u];
-                    let _e129 = (bitcast<u32>(_e127) & 2147483647u);
-                    let _e131 = select(_e101, _e94, (_e101 < _e94));
-                    let _e133 = select(_e108, _e131, (_e108 < _e131));
-                    let _e135 = select(_e115, _e133, (_e115 < _e133));
-                    let _e137 = select(_e122, _e135, (_e122 < _e135));
-                    let _e139 = select(_e129, _e137, (_e129 < _e137));
-                    let _e143 = global_4.member[_e78].member_1;
-                    let _e145 = (bitcast<u32>(_e143) & 2147483647u);
-                    let _e152 = global_4.member[_e78].member_3;
-                    let _e158 = (((select(_e145, _e139, (_e145 < _e139)) < 2139095040u) && ((bitcast<u32>(_e152) & 2147483647u) <= 2139095040u)) && (_e133 > 0u));
-                    if _e158 {
-                        let _e161 = (bitcast<u32>(bitcast<f32>(_e133)) & 2147483647u);
-                        if (_e161 >= 8388608u) {
-                            phi_276_ = (bitcast<i32>((_e161 >> bitcast<u32>(23i))) - 127i);
+                    let _e94 = global_4.member[_e80].member_2[0u];
+                    let _e96 = (bitcast<u32>(_e94) & 2147483647u);
+                    let _e101 = global_4.member[_e80].member_2[1u];
+                    let _e103 = (bitcast<u32>(_e101) & 2147483647u);
+                    let _e108 = global_4.member[_e80].member_2[2u];
+                    let _e110 = (bitcast<u32>(_e108) & 2147483647u);
+                    let _e115 = global_4.member[_e80].member[0u];
+                    let _e117 = (bitcast<u32>(_e115) & 2147483647u);
+                    let _e122 = global_4.member[_e80].member[1u];
+                    let _e124 = (bitcast<u32>(_e122) & 2147483647u);
+                    let _e129 = global_4.member[_e80].member[2u];
+                    let _e131 = (bitcast<u32>(_e129) & 2147483647u);
+                    let _e133 = select(_e103, _e96, (_e103 < _e96));
+                    let _e135 = select(_e110, _e133, (_e110 < _e133));
+                    let _e137 = select(_e117, _e135, (_e117 < _e135));
+                    let _e139 = select(_e124, _e137, (_e124 < _e137));
+                    let _e141 = select(_e131, _e139, (_e131 < _e139));
+                    let _e145 = global_4.member[_e80].member_1;
+                    let _e147 = (bitcast<u32>(_e145) & 2147483647u);
+                    let _e154 = global_4.member[_e80].member_3;
+                    let _e160 = (((select(_e147, _e141, (_e147 < _e141)) < 2139095040u) && ((bitcast<u32>(_e154) & 2147483647u) <= 2139095040u)) && (_e135 > 0u));
+                    if _e160 {
+                        let _e163 = (bitcast<u32>(bitcast<f32>(_e135)) & 2147483647u);
+                        if (_e163 >= 8388608u) {
+                            phi_281_ = (bitcast<i32>((_e163 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_276_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e161)), 32u, (_e161 == 0u))));
+                            phi_281_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e163)), 32u, (_e163 == 0u))));
                         }
-                        let _e175 = phi_276_;
-                        phi_277_ = _e175;
+                        let _e177 = phi_281_;
+                        phi_282_ = _e177;
                     } else {
-                        phi_277_ = 0i;
+                        phi_282_ = 0i;
                     }
-                    let _e177 = phi_277_;
-                    let _e178 = (_e94 == _e133);
-                    if _e178 {
-                        phi_287_ = true;
+                    let _e179 = phi_282_;
+                    let _e180 = (_e96 == _e135);
+                    if _e180 {
+                        phi_292_ = true;
                     } else {
-                        phi_287_ = (_e101 == _e133);
+                        phi_292_ = (_e103 == _e135);
                     }
-                    let _e181 = phi_287_;
-                    let _e182 = select(1u, 0u, _e178);
-                    if _e181 {
-                        let _e183 = (_e182 + 1u);
-                        phi_297_ = _e183;
-                        phi_298_ = _e183;
-                        phi_300_ = select(true, false, (_e183 == 2u));
+                    let _e183 = phi_292_;
+                    let _e184 = select(1u, 0u, _e180);
+                    if _e183 {
+                        let _e185 = (_e184 + 1u);
+                        phi_302_ = _e185;
+                        phi_303_ = _e185;
+                        phi_305_ = select(true, false, (_e185 == 2u));
                     } else {
-                        phi_297_ = u32();
-                        phi_298_ = 0u;
-                        phi_300_ = true;
+                        phi_302_ = u32();
+                        phi_303_ = 0u;
+                        phi_305_ = true;
                     }
-                    let _e187 = phi_297_;
-                    let _e189 = phi_298_;
-                    let _e191 = phi_300_;
-                    if _e191 {
-                        phi_305_ = (_e189 + 1u);
+                    let _e189 = phi_302_;
+                    let _e191 = phi_303_;
+                    let _e193 = phi_305_;
+                    if _e193 {
+                        phi_310_ = (_e191 + 1u);
                     } else {
-                        phi_305_ = 0u;
+                        phi_310_ = 0u;
                     }
-                    let _e195 = phi_305_;
-                    let _e196 = select(_e187, _e189, _e191);
-                    let _e197 = select(_e182, select(2u, _e182, _e181), _e191);
-                    if (_e82 < -126i) {
-                        phi_317_ = -126i;
+                    let _e197 = phi_310_;
+                    let _e198 = select(_e189, _e191, _e193);
+                    let _e199 = select(_e184, select(2u, _e184, _e183), _e193);
+                    if (_e84 < -126i) {
+                        phi_322_ = -126i;
                     } else {
-                        phi_317_ = select(_e82, 127i, (_e82 > 127i));
+                        phi_322_ = select(_e84, 127i, (_e84 > 127i));
                     }
-                    let _e202 = phi_317_;
-                    let _e207 = bitcast<f32>((bitcast<u32>((_e202 + 127i)) << bitcast<u32>(23i)));
-                    let _e213 = bitcast<f32>((bitcast<u32>(((_e82 - _e202) + 127i)) << bitcast<u32>(23i)));
-                    let _e214 = -(_e177);
-                    if (_e214 < -126i) {
-                        phi_337_ = -126i;
+                    let _e204 = phi_322_;
+                    let _e209 = bitcast<f32>((bitcast<u32>((_e204 + 127i)) << bitcast<u32>(23i)));
+                    let _e215 = bitcast<f32>((bitcast<u32>(((_e84 - _e204) + 127i)) << bitcast<u32>(23i)));
+                    let _e216 = -(_e179);
+                    if (_e216 < -126i) {
+                        phi_342_ = -126i;
                     } else {
-                        phi_337_ = select(_e214, 127i, (_e214 > 127i));
+                        phi_342_ = select(_e216, 127i, (_e216 > 127i));
                     }
-                    let _e219 = phi_337_;
-                    let _e224 = bitcast<f32>((bitcast<u32>((_e219 + 127i)) << bitcast<u32>(23i)));
-                    let _e230 = bitcast<f32>((bitcast<u32>(((_e214 - _e219) + 127i)) << bitcast<u32>(23i)));
-                    let _e234 = global_4.member[_e78].member;
-                    let _e235 = (_e196 == 0u);
-                    if _e235 {
-                        phi_355_ = _e234[0];
+                    let _e221 = phi_342_;
+                    let _e226 = bitcast<f32>((bitcast<u32>((_e221 + 127i)) << bitcast<u32>(23i)));
+                    let _e232 = bitcast<f32>((bitcast<u32>(((_e216 - _e221) + 127i)) << bitcast<u32>(23i)));
+                    let _e236 = global_4.member[_e80].member;
+                    let _e237 = (_e198 == 0u);
+                    if _e237 {
+                        phi_360_ = _e236[0];
                     } else {
-                        phi_355_ = _e234[1];
+                        phi_360_ = _e236[1];
                     }
-                    let _e239 = phi_355_;
-                    let _e240 = (_e196 == 2u);
-                    if _e240 {
-                        phi_361_ = _e234[2];
+                    let _e241 = phi_360_;
+                    let _e242 = (_e198 == 2u);
+                    if _e242 {
+                        phi_366_ = _e236[2];
                     } else {
-                        phi_361_ = _e239;
+                        phi_366_ = _e241;
                     }
-                    let _e243 = phi_361_;
-                    let _e245 = ((_e243 * _e207) * _e213);
-                    let _e246 = global_4.member[_e78].member_2;
-                    if _e235 {
-                        phi_372_ = _e246[0];
+                    let _e245 = phi_366_;
+                    let _e247 = ((_e245 * _e209) * _e215);
+                    let _e248 = global_4.member[_e80].member_2;
+                    if _e237 {
+                        phi_377_ = _e248[0];
                     } else {
-                        phi_372_ = _e246[1];
+                        phi_377_ = _e248[1];
                     }
-                    let _e250 = phi_372_;
-                    if _e240 {
-                        phi_378_ = _e246[2];
+                    let _e252 = phi_377_;
+                    if _e242 {
+                        phi_383_ = _e248[2];
                     } else {
-                        phi_378_ = _e250;
+                        phi_383_ = _e252;
                     }
-                    let _e253 = phi_378_;
-                    let _e255 = ((_e253 * _e224) * _e230);
-                    let _e259 = (bitcast<f32>((bitcast<u32>(_e255) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e259 {
-                        let _e263 = (bitcast<f32>((bitcast<u32>(_e245) & 2147483647u)) * 0.00000011920929f);
-                        phi_401_ = select(0.00000000000011368684f, _e263, (_e263 > 0.00000000000011368684f));
+                    let _e255 = phi_383_;
+                    let _e257 = ((_e255 * _e226) * _e232);
+                    let _e261 = (bitcast<f32>((bitcast<u32>(_e257) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e261 {
+                        let _e265 = (bitcast<f32>((bitcast<u32>(_e247) & 2147483647u)) * 0.00000011920929f);
+                        phi_406_ = select(0.00000000000011368684f, _e265, (_e265 > 0.00000000000011368684f));
                     } else {
-                        phi_401_ = 0f;
+                        phi_406_ = 0f;
                     }
-                    let _e267 = phi_401_;
-                    let _e268 = (_e245 + _e267);
-                    let _e269 = (_e245 - _e267);
-                    let _e270 = select(_e255, 0f, _e259);
-                    if _e259 {
-                        phi_412_ = 38685626000000000000000000f;
+                    let _e269 = phi_406_;
+                    let _e270 = (_e247 + _e269);
+                    let _e271 = (_e247 - _e269);
+                    let _e272 = select(_e257, 0f, _e261);
+                    if _e261 {
+                        phi_417_ = 38685626000000000000000000f;
                     } else {
-                        phi_412_ = (1f / _e255);
+                        phi_417_ = (1f / _e257);
                     }
-                    let _e273 = phi_412_;
-                    let _e274 = (_e195 == 0u);
-                    if _e274 {
-                        phi_421_ = _e234[0];
+                    let _e275 = phi_417_;
+                    let _e276 = (_e197 == 0u);
+                    if _e276 {
+                        phi_426_ = _e236[0];
                     } else {
-                        phi_421_ = _e234[1];
+                        phi_426_ = _e236[1];
                     }
-                    let _e278 = phi_421_;
-                    let _e279 = (_e195 == 2u);
-                    if _e279 {
-                        phi_427_ = _e234[2];
+                    let _e280 = phi_426_;
+                    let _e281 = (_e197 == 2u);
+                    if _e281 {
+                        phi_432_ = _e236[2];
                     } else {
-                        phi_427_ = _e278;
+                        phi_432_ = _e280;
                     }
-                    let _e282 = phi_427_;
-                    let _e284 = ((_e282 * _e207) * _e213);
-                    if _e274 {
-                        phi_438_ = _e246[0];
+                    let _e284 = phi_432_;
+                    let _e286 = ((_e284 * _e209) * _e215);
+                    if _e276 {
+                        phi_443_ = _e248[0];
                     } else {
-                        phi_438_ = _e246[1];
+                        phi_443_ = _e248[1];
                     }
-                    let _e288 = phi_438_;
-                    if _e279 {
-                        phi_444_ = _e246[2];
+                    let _e290 = phi_443_;
+                    if _e281 {
+                        phi_449_ = _e248[2];
                     } else {
-                        phi_444_ = _e288;
+                        phi_449_ = _e290;
                     }
-                    let _e291 = phi_444_;
-                    let _e293 = ((_e291 * _e224) * _e230);
-                    let _e297 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e297 {
-                        let _e301 = (bitcast<f32>((bitcast<u32>(_e284) & 2147483647u)) * 0.00000011920929f);
-                        phi_467_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
+                    let _e293 = phi_449_;
+                    let _e295 = ((_e293 * _e226) * _e232);
+                    let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e299 {
+                        let _e303 = (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) * 0.00000011920929f);
+                        phi_472_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
                     } else {
-                        phi_467_ = 0f;
+                        phi_472_ = 0f;
                     }
-                    let _e305 = phi_467_;
-                    let _e306 = (_e284 + _e305);
-                    let _e307 = (_e284 - _e305);
-                    let _e308 = select(_e293, 0f, _e297);
-                    if _e297 {
-                        phi_478_ = 38685626000000000000000000f;
+                    let _e307 = phi_472_;
+                    let _e308 = (_e286 + _e307);
+                    let _e309 = (_e286 - _e307);
+                    let _e310 = select(_e295, 0f, _e299);
+                    if _e299 {
+                        phi_483_ = 38685626000000000000000000f;
                     } else {
-                        phi_478_ = (1f / _e293);
+                        phi_483_ = (1f / _e295);
                     }
-                    let _e311 = phi_478_;
-                    let _e312 = (_e197 == 0u);
-                    if _e312 {
-                        phi_487_ = _e234[0];
+                    let _e313 = phi_483_;
+                    let _e314 = (_e199 == 0u);
+                    if _e314 {
+                        phi_492_ = _e236[0];
                     } else {
-                        phi_487_ = _e234[1];
+                        phi_492_ = _e236[1];
                     }
-                    let _e316 = phi_487_;
-                    let _e317 = (_e197 == 2u);
-                    if _e317 {
-                        phi_493_ = _e234[2];
+                    let _e318 = phi_492_;
+                    let _e319 = (_e199 == 2u);
+                    if _e319 {
+                        phi_498_ = _e236[2];
                     } else {
-                        phi_493_ = _e316;
+                        phi_498_ = _e318;
                     }
-                    let _e320 = phi_493_;
-                    let _e322 = ((_e320 * _e207) * _e213);
-                    if _e312 {
-                        phi_504_ = _e246[0];
+                    let _e322 = phi_498_;
+                    let _e324 = ((_e322 * _e209) * _e215);
+                    if _e314 {
+                        phi_509_ = _e248[0];
                     } else {
-                        phi_504_ = _e246[1];
+                        phi_509_ = _e248[1];
                     }
-                    let _e326 = phi_504_;
-                    if _e317 {
-                        phi_510_ = _e246[2];
+                    let _e328 = phi_509_;
+                    if _e319 {
+                        phi_515_ = _e248[2];
                     } else {
-                        phi_510_ = _e326;
+                        phi_515_ = _e328;
                     }
-                    let _e329 = phi_510_;
-                    let _e331 = ((_e329 * _e224) * _e230);
-                    let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e335 {
-                        let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                        phi_533_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
+                    let _e331 = phi_515_;
+                    let _e333 = ((_e331 * _e226) * _e232);
+                    let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e337 {
+                        let _e341 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
+                        phi_538_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
                     } else {
-                        phi_533_ = 0f;
+                        phi_538_ = 0f;
                     }
-                    let _e343 = phi_533_;
-                    let _e344 = (_e322 + _e343);
-                    let _e345 = (_e322 - _e343);
-                    let _e346 = select(_e331, 0f, _e335);
-                    if _e335 {
-                        phi_544_ = 38685626000000000000000000f;
+                    let _e345 = phi_538_;
+                    let _e346 = (_e324 + _e345);
+                    let _e347 = (_e324 - _e345);
+                    let _e348 = select(_e333, 0f, _e337);
+                    if _e337 {
+                        phi_549_ = 38685626000000000000000000f;
                     } else {
-                        phi_544_ = (1f / _e331);
+                        phi_549_ = (1f / _e333);
                     }
-                    let _e349 = phi_544_;
-                    let _e352 = bitcast<f32>((bitcast<u32>(_e245) & 2147483647u));
-                    let _e355 = bitcast<f32>((bitcast<u32>(_e284) & 2147483647u));
-                    let _e357 = select(_e355, _e352, (_e352 > _e355));
-                    let _e360 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
-                    let _e363 = (_e82 + _e177);
-                    if (_e158 && (select(_e360, _e357, (_e357 > _e360)) <= 1099511600000f)) {
-                        let _e366 = (_e363 / 3i);
-                        let _e373 = bitcast<f32>((bitcast<u32>((_e366 + 127i)) << bitcast<u32>(23i)));
-                        let _e380 = bitcast<f32>((bitcast<u32>(((_e363 - (2i * _e366)) + 127i)) << bitcast<u32>(23i)));
-                        let _e381 = (((_e143 * _e373) * _e373) * _e380);
-                        let _e383 = select(340282350000000000000000000000000000000f, _e381, (_e381 < 340282350000000000000000000000000000000f));
-                        let _e388 = (((_e152 * _e373) * _e373) * _e380);
-                        let _e390 = select(340282350000000000000000000000000000000f, _e388, (_e388 < 340282350000000000000000000000000000000f));
-                        phi_644_ = select(-340282350000000000000000000000000000000f, _e390, (_e390 > -340282350000000000000000000000000000000f));
-                        phi_645_ = select(-340282350000000000000000000000000000000f, _e383, (_e383 > -340282350000000000000000000000000000000f));
+                    let _e351 = phi_549_;
+                    let _e354 = bitcast<f32>((bitcast<u32>(_e247) & 2147483647u));
+                    let _e357 = bitcast<f32>((bitcast<u32>(_e286) & 2147483647u));
+                    let _e359 = select(_e357, _e354, (_e354 > _e357));
+                    let _e362 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
+                    let _e365 = (_e84 + _e179);
+                    if (_e160 && (select(_e362, _e359, (_e359 > _e362)) <= 1099511600000f)) {
+                        let _e368 = (_e365 / 3i);
+                        let _e375 = bitcast<f32>((bitcast<u32>((_e368 + 127i)) << bitcast<u32>(23i)));
+                        let _e382 = bitcast<f32>((bitcast<u32>(((_e365 - (2i * _e368)) + 127i)) << bitcast<u32>(23i)));
+                        let _e383 = (((_e145 * _e375) * _e375) * _e382);
+                        let _e385 = select(340282350000000000000000000000000000000f, _e383, (_e383 < 340282350000000000000000000000000000000f));
+                        let _e390 = (((_e154 * _e375) * _e375) * _e382);
+                        let _e392 = select(340282350000000000000000000000000000000f, _e390, (_e390 < 340282350000000000000000000000000000000f));
+                        phi_649_ = select(-340282350000000000000000000000000000000f, _e392, (_e392 > -340282350000000000000000000000000000000f));
+                        phi_650_ = select(-340282350000000000000000000000000000000f, _e385, (_e385 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_644_ = 0f;
-                        phi_645_ = 1f;
+                        phi_649_ = 0f;
+                        phi_650_ = 1f;
                     }
-                    let _e394 = phi_644_;
-                    let _e396 = phi_645_;
+                    let _e396 = phi_649_;
+                    let _e398 = phi_650_;
                     local = array<type_23, 8>(type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_2 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    phi_2273_ = false;
-                    phi_2253_ = _e394;
-                    phi_709_ = select(0u, 2147483648u, (_e68 == 0u));
-                    phi_712_ = ((3u * _e68) + 1u);
-                    phi_714_ = (_e396 <= _e394);
-                    phi_716_ = 0u;
+                    phi_2545_ = false;
+                    phi_2525_ = _e396;
+                    phi_714_ = select(0u, 2147483648u, (_e70 == 0u));
+                    phi_717_ = ((3u * _e70) + 1u);
+                    phi_719_ = (_e398 <= _e396);
+                    phi_721_ = 0u;
                     loop {
-                        let _e403 = phi_2273_;
-                        let _e405 = phi_2253_;
-                        let _e407 = phi_709_;
-                        let _e409 = phi_712_;
-                        let _e411 = phi_714_;
-                        let _e413 = phi_716_;
-                        if _e411 {
-                            phi_727_ = true;
+                        let _e405 = phi_2545_;
+                        let _e407 = phi_2525_;
+                        let _e409 = phi_714_;
+                        let _e411 = phi_717_;
+                        let _e413 = phi_719_;
+                        let _e415 = phi_721_;
+                        if _e413 {
+                            phi_732_ = true;
                         } else {
-                            phi_727_ = (_e413 > 0u);
+                            phi_732_ = (_e415 > 0u);
                         }
-                        let _e416 = phi_727_;
-                        if _e416 {
-                            let _e417 = (_e409 > 0u);
-                            if _e417 {
-                                if _e411 {
-                                    phi_760_ = _e407;
-                                    phi_761_ = _e411;
-                                    phi_762_ = _e413;
+                        let _e418 = phi_732_;
+                        if _e418 {
+                            let _e419 = (_e411 > 0u);
+                            if _e419 {
+                                if _e413 {
+                                    phi_765_ = _e409;
+                                    phi_766_ = _e413;
+                                    phi_767_ = _e415;
                                 } else {
-                                    let _e418 = (_e413 - 1u);
-                                    let _e419 = (_e418 % 128u);
-                                    let _e420 = (_e419 < 128u);
-                                    if _e420 {
+                                    let _e420 = (_e415 - 1u);
+                                    let _e421 = (_e420 % 128u);
+                                    let _e422 = (_e421 < 128u);
+                                    if _e422 {
                                     } else {
-                                        phi_2380_ = true;
+                                        phi_2680_ = true;
                                         break;
                                     }
-                                    let _e422 = local_2[_e419];
-                                    if _e420 {
+                                    let _e424 = local_2[_e421];
+                                    if _e422 {
                                     } else {
-                                        phi_2380_ = true;
+                                        phi_2680_ = true;
                                         break;
                                     }
-                                    let _e424 = local_1[_e419];
-                                    phi_760_ = _e422;
-                                    phi_761_ = (_e424 <= _e405);
-                                    phi_762_ = _e418;
+                                    let _e426 = local_1[_e421];
+                                    phi_765_ = _e424;
+                                    phi_766_ = (_e426 <= _e407);
+                                    phi_767_ = _e420;
                                 }
-                                let _e427 = phi_760_;
-                                let _e429 = phi_761_;
-                                let _e431 = phi_762_;
-                                if _e429 {
-                                    if ((_e427 & 2147483648u) != 0u) {
-                                        phi_2270_ = _e403;
-                                        phi_2260_ = _e405;
-                                        phi_777_ = type_4(0u, ((_e427 >> bitcast<u32>(28u)) & 7u));
+                                let _e429 = phi_765_;
+                                let _e431 = phi_766_;
+                                let _e433 = phi_767_;
+                                if _e431 {
+                                    if ((_e429 & 2147483648u) != 0u) {
+                                        phi_2542_ = _e405;
+                                        phi_2532_ = _e407;
+                                        phi_782_ = type_4(0u, ((_e429 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e628 = phi_2270_;
-                                            let _e630 = phi_2260_;
-                                            let _e632 = phi_777_;
-                                            if (_e632.member < _e632.member_1) {
-                                                phi_778_ = type_4((_e632.member + 1u), _e632.member_1);
-                                                phi_801_ = type_4(1u, _e632.member);
+                                            let _e630 = phi_2542_;
+                                            let _e632 = phi_2532_;
+                                            let _e634 = phi_782_;
+                                            if (_e634.member < _e634.member_1) {
+                                                phi_783_ = type_4((_e634.member + 1u), _e634.member_1);
+                                                phi_806_ = type_4(1u, _e634.member);
                                             } else {
-                                                phi_778_ = _e632;
-                                                phi_801_ = type_4(0u, type_4().member_1);
+                                                phi_783_ = _e634;
+                                                phi_806_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e645 = phi_778_;
-                                            let _e647 = phi_801_;
-                                            let _e651 = (bitcast<i32>(_e647.member) != 0i);
-                                            if _e651 {
-                                                let _e652 = ((_e427 & 268435455u) + _e647.member_1);
-                                                let _e653 = (_e652 < _e70);
-                                                if _e653 {
-                                                    if _e653 {
+                                            let _e647 = phi_783_;
+                                            let _e649 = phi_806_;
+                                            let _e653 = (bitcast<i32>(_e649.member) != 0i);
+                                            if _e653 {
+                                                let _e654 = ((_e429 & 268435455u) + _e649.member_1);
+                                                let _e655 = (_e654 < _e72);
+                                                if _e655 {
+                                                    if _e655 {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e657 = global_3.member[_e652].member_1;
-                                                    phi_822_ = _e657;
+                                                    let _e659 = global_3.member[_e654].member_1;
+                                                    phi_827_ = _e659;
                                                 } else {
-                                                    phi_822_ = 4294967295u;
+                                                    phi_827_ = 4294967295u;
                                                 }
-                                                let _e659 = phi_822_;
-                                                if (_e652 >= _e70) {
-                                                    phi_911_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e661 = phi_827_;
+                                                if (_e654 >= _e72) {
+                                                    phi_916_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e653 {
+                                                    if _e655 {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e661 = (_e196 % 3u);
-                                                    let _e662 = (_e195 % 3u);
-                                                    let _e663 = (_e197 % 3u);
-                                                    if (_e661 < 9u) {
-                                                    } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
-                                                        break;
-                                                    }
-                                                    let _e669 = global_3.member[_e652].member[_e661];
-                                                    if (_e662 < 9u) {
-                                                    } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
-                                                        break;
-                                                    }
-                                                    let _e675 = global_3.member[_e652].member[_e662];
+                                                    let _e663 = (_e198 % 3u);
+                                                    let _e664 = (_e197 % 3u);
+                                                    let _e665 = (_e199 % 3u);
                                                     if (_e663 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e681 = global_3.member[_e652].member[_e663];
-                                                    let _e683 = (3u + _e661);
-                                                    if (_e683 < 9u) {
+                                                    let _e671 = global_3.member[_e654].member[_e663];
+                                                    if (_e664 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e689 = global_3.member[_e652].member[_e683];
-                                                    let _e690 = (3u + _e662);
-                                                    if (_e690 < 9u) {
+                                                    let _e677 = global_3.member[_e654].member[_e664];
+                                                    if (_e665 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e696 = global_3.member[_e652].member[_e690];
-                                                    let _e697 = (3u + _e663);
-                                                    if (_e697 < 9u) {
+                                                    let _e683 = global_3.member[_e654].member[_e665];
+                                                    let _e685 = (3u + _e663);
+                                                    if (_e685 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e703 = global_3.member[_e652].member[_e697];
-                                                    let _e705 = (6u + _e661);
-                                                    if (_e705 < 9u) {
+                                                    let _e691 = global_3.member[_e654].member[_e685];
+                                                    let _e692 = (3u + _e664);
+                                                    if (_e692 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e711 = global_3.member[_e652].member[_e705];
-                                                    let _e712 = (6u + _e662);
-                                                    if (_e712 < 9u) {
+                                                    let _e698 = global_3.member[_e654].member[_e692];
+                                                    let _e699 = (3u + _e665);
+                                                    if (_e699 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e718 = global_3.member[_e652].member[_e712];
-                                                    let _e719 = (6u + _e663);
-                                                    if (_e719 < 9u) {
+                                                    let _e705 = global_3.member[_e654].member[_e699];
+                                                    let _e707 = (6u + _e663);
+                                                    if (_e707 < 9u) {
                                                     } else {
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = true;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
                                                         break;
                                                     }
-                                                    let _e725 = global_3.member[_e652].member[_e719];
-                                                    phi_911_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                    let _e713 = global_3.member[_e654].member[_e707];
+                                                    let _e714 = (6u + _e664);
+                                                    if (_e714 < 9u) {
+                                                    } else {
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
+                                                        break;
+                                                    }
+                                                    let _e720 = global_3.member[_e654].member[_e714];
+                                                    let _e721 = (6u + _e665);
+                                                    if (_e721 < 9u) {
+                                                    } else {
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = true;
+                                                        break;
+                                                    }
+                                                    let _e727 = global_3.member[_e654].member[_e721];
+                                                    phi_916_ = array<array<f32, 3>, 3>(array<f32, 3>(_e671, _e677, _e683), array<f32, 3>(_e691, _e698, _e705), array<f32, 3>(_e713, _e720, _e727));
                                                 }
-                                                let _e729 = phi_911_;
-                                                let _e736 = (_e729[0][2] - _e322);
-                                                let _e739 = (((_e729[0][0] - _e245) * _e346) - (_e736 * _e270));
-                                                let _e742 = (((_e729[0][1] - _e284) * _e346) - (_e736 * _e308));
-                                                let _e749 = (_e729[1][2] - _e322);
-                                                let _e752 = (((_e729[1][0] - _e245) * _e346) - (_e749 * _e270));
-                                                let _e755 = (((_e729[1][1] - _e284) * _e346) - (_e749 * _e308));
-                                                let _e762 = (_e729[2][2] - _e322);
-                                                let _e765 = (((_e729[2][0] - _e245) * _e346) - (_e762 * _e270));
-                                                let _e768 = (((_e729[2][1] - _e284) * _e346) - (_e762 * _e308));
-                                                let _e769 = (_e765 * _e755);
-                                                let _e770 = (_e768 * _e752);
-                                                let _e771 = (_e739 * _e768);
-                                                let _e772 = (_e742 * _e765);
-                                                let _e773 = (_e752 * _e742);
-                                                let _e774 = (_e755 * _e739);
-                                                let _e779 = (((_e769 >= _e770) && (_e771 >= _e772)) && (_e773 >= _e774));
-                                                if (_e779 || (((_e769 <= _e770) && (_e771 <= _e772)) && (_e773 <= _e774))) {
-                                                    let _e786 = select(-1f, 1f, _e779);
-                                                    let _e788 = ((_e769 - _e770) * _e786);
-                                                    let _e790 = select(0f, _e788, (_e788 > 0f));
-                                                    let _e792 = ((_e771 - _e772) * _e786);
-                                                    let _e794 = select(0f, _e792, (_e792 > 0f));
-                                                    let _e796 = ((_e773 - _e774) * _e786);
-                                                    let _e798 = select(0f, _e796, (_e796 > 0f));
-                                                    let _e800 = ((_e790 + _e794) + _e798);
-                                                    if (_e800 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1478_ = type_23();
-                                                        phi_1479_ = true;
+                                                let _e731 = phi_916_;
+                                                let _e738 = (_e731[0][2] - _e324);
+                                                let _e741 = (((_e731[0][0] - _e247) * _e348) - (_e738 * _e272));
+                                                let _e744 = (((_e731[0][1] - _e286) * _e348) - (_e738 * _e310));
+                                                let _e751 = (_e731[1][2] - _e324);
+                                                let _e754 = (((_e731[1][0] - _e247) * _e348) - (_e751 * _e272));
+                                                let _e757 = (((_e731[1][1] - _e286) * _e348) - (_e751 * _e310));
+                                                let _e764 = (_e731[2][2] - _e324);
+                                                let _e767 = (((_e731[2][0] - _e247) * _e348) - (_e764 * _e272));
+                                                let _e770 = (((_e731[2][1] - _e286) * _e348) - (_e764 * _e310));
+                                                let _e771 = (_e767 * _e757);
+                                                let _e772 = (_e770 * _e754);
+                                                let _e773 = (_e741 * _e770);
+                                                let _e774 = (_e744 * _e767);
+                                                let _e775 = (_e754 * _e744);
+                                                let _e776 = (_e757 * _e741);
+                                                let _e781 = (((_e771 >= _e772) && (_e773 >= _e774)) && (_e775 >= _e776));
+                                                if (_e781 || (((_e771 <= _e772) && (_e773 <= _e774)) && (_e775 <= _e776))) {
+                                                    let _e788 = select(-1f, 1f, _e781);
+                                                    let _e790 = ((_e771 - _e772) * _e788);
+                                                    let _e792 = select(0f, _e790, (_e790 > 0f));
+                                                    let _e794 = ((_e773 - _e774) * _e788);
+                                                    let _e796 = select(0f, _e794, (_e794 > 0f));
+                                                    let _e798 = ((_e775 - _e776) * _e788);
+                                                    let _e800 = select(0f, _e798, (_e798 > 0f));
+                                                    let _e802 = ((_e792 + _e796) + _e800);
+                                                    if (_e802 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1745_ = type_23();
+                                                        phi_1746_ = true;
+                                                        phi_1747_ = false;
                                                     } else {
-                                                        let _e803 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
-                                                        let _e807 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
-                                                        let _e811 = select(_e729[1][1], _e729[0][1], (_e729[0][1] < _e729[1][1]));
-                                                        let _e815 = select(_e729[1][1], _e729[0][1], (_e729[0][1] > _e729[1][1]));
-                                                        let _e819 = select(_e729[1][2], _e729[0][2], (_e729[0][2] < _e729[1][2]));
-                                                        let _e823 = select(_e729[1][2], _e729[0][2], (_e729[0][2] > _e729[1][2]));
-                                                        let _e828 = ((select(_e729[2][0], _e803, (_e803 < _e729[2][0])) - _e268) * _e273);
-                                                        let _e829 = ((select(_e729[2][0], _e807, (_e807 > _e729[2][0])) - _e269) * _e273);
-                                                        let _e832 = ((select(_e729[2][1], _e811, (_e811 < _e729[2][1])) - _e306) * _e311);
-                                                        let _e833 = ((select(_e729[2][1], _e815, (_e815 > _e729[2][1])) - _e307) * _e311);
-                                                        let _e836 = ((select(_e729[2][2], _e819, (_e819 < _e729[2][2])) - _e344) * _e349);
-                                                        let _e837 = ((select(_e729[2][2], _e823, (_e823 > _e729[2][2])) - _e345) * _e349);
-                                                        let _e839 = select(_e837, _e836, (_e836 < _e837));
-                                                        let _e841 = select(_e837, _e836, (_e836 > _e837));
-                                                        let _e843 = select(_e829, _e828, (_e828 < _e829));
-                                                        let _e845 = select(_e833, _e832, (_e832 < _e833));
-                                                        let _e847 = select(_e845, _e843, (_e843 > _e845));
-                                                        let _e849 = select(_e839, _e847, (_e847 > _e839));
-                                                        let _e851 = select(_e829, _e828, (_e828 > _e829));
-                                                        let _e853 = select(_e833, _e832, (_e832 > _e833));
-                                                        let _e855 = select(_e853, _e851, (_e851 < _e853));
-                                                        let _e857 = select(_e841, _e855, (_e855 < _e841));
-                                                        let _e858 = -(_e839);
-                                                        let _e864 = select(_e396, _e849, (_e849 > _e396));
-                                                        if (_e864 > (_e857 + (select(_e858, _e841, (_e841 > _e858)) * 0.0000019073523f))) {
-                                                            phi_1473_ = type_23();
-                                                            phi_1474_ = true;
+                                                        let _e805 = select(_e754, _e741, (_e741 < _e754));
+                                                        if (select(_e767, _e805, (_e805 < _e767)) > 0f) {
+                                                            phi_1034_ = true;
                                                         } else {
-                                                            let _e866 = (_e864 > _e630);
-                                                            if _e866 {
-                                                                phi_1472_ = type_23();
-                                                            } else {
-                                                                let _e870 = (_e729[1][0] - _e729[0][0]);
-                                                                let _e871 = (_e729[1][1] - _e729[0][1]);
-                                                                let _e872 = (_e729[1][2] - _e729[0][2]);
-                                                                let _e873 = vec3<f32>(_e870, _e871, _e872);
-                                                                let _e874 = (_e729[2][0] - _e729[1][0]);
-                                                                let _e875 = (_e729[2][1] - _e729[1][1]);
-                                                                let _e876 = (_e729[2][2] - _e729[1][2]);
-                                                                let _e877 = vec3<f32>(_e874, _e875, _e876);
-                                                                let _e878 = (_e729[0][0] - _e729[2][0]);
-                                                                let _e879 = (_e729[0][1] - _e729[2][1]);
-                                                                let _e880 = (_e729[0][2] - _e729[2][2]);
-                                                                let _e881 = vec3<f32>(_e878, _e879, _e880);
-                                                                let _e884 = bitcast<f32>((bitcast<u32>(_e870) & 2147483647u));
-                                                                let _e887 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                let _e889 = select(_e887, _e884, (_e884 > _e887));
-                                                                let _e892 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
-                                                                let _e894 = select(_e892, _e889, (_e889 > _e892));
-                                                                let _e897 = bitcast<f32>((bitcast<u32>(_e874) & 2147483647u));
-                                                                let _e900 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                let _e902 = select(_e900, _e897, (_e897 > _e900));
-                                                                let _e905 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                let _e907 = select(_e905, _e902, (_e902 > _e905));
-                                                                let _e910 = bitcast<f32>((bitcast<u32>(_e878) & 2147483647u));
-                                                                let _e913 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                let _e915 = select(_e913, _e910, (_e910 > _e913));
-                                                                let _e918 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                let _e920 = select(_e918, _e915, (_e915 > _e918));
-                                                                let _e922 = select(_e907, _e894, (_e894 > _e907));
-                                                                let _e924 = select(_e920, _e922, (_e922 > _e920));
-                                                                if (_e894 == _e924) {
-                                                                    phi_1383_ = _e877;
-                                                                    phi_1384_ = _e881;
-                                                                } else {
-                                                                    let _e927 = vec3((_e907 == _e924));
-                                                                    phi_1383_ = select(_e873, _e881, _e927);
-                                                                    phi_1384_ = select(_e877, _e873, _e927);
-                                                                }
-                                                                let _e931 = phi_1383_;
-                                                                let _e933 = phi_1384_;
-                                                                let _e940 = ((_e931.y * _e933.z) - (_e933.y * _e931.z));
-                                                                let _e945 = ((_e931.z * _e933.x) - (_e933.z * _e931.x));
-                                                                let _e948 = ((_e931.x * _e933.y) - (_e933.x * _e931.y));
-                                                                if (_e790 >= _e794) {
-                                                                    phi_1415_ = select(true, false, (_e790 >= _e798));
-                                                                } else {
-                                                                    phi_1415_ = true;
-                                                                }
-                                                                let _e953 = phi_1415_;
-                                                                if _e953 {
-                                                                    phi_1424_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e794 >= _e798)));
-                                                                } else {
-                                                                    phi_1424_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
-                                                                }
-                                                                let _e958 = phi_1424_;
-                                                                let _e975 = ((((_e940 * (_e958.x - _e245)) + (_e945 * (_e958.y - _e284))) + (_e948 * (_e958.z - _e322))) / (((_e940 * _e270) + (_e945 * _e308)) + (_e948 * _e346)));
-                                                                let _e977 = select(_e857, _e975, (_e975 < _e857));
-                                                                let _e979 = select(_e849, _e977, (_e977 > _e849));
-                                                                if (_e979 >= _e396) {
-                                                                    let _e981 = (_e979 <= _e630);
-                                                                    if _e981 {
-                                                                        let _e982 = (1f / _e800);
-                                                                        phi_1464_ = type_23(_e979, (_e794 * _e982), (_e798 * _e982), _e659);
-                                                                    } else {
-                                                                        phi_1464_ = type_23();
-                                                                    }
-                                                                    let _e987 = phi_1464_;
-                                                                    phi_1466_ = _e987;
-                                                                    phi_1467_ = select(true, false, _e981);
-                                                                } else {
-                                                                    phi_1466_ = type_23();
-                                                                    phi_1467_ = true;
-                                                                }
-                                                                let _e990 = phi_1466_;
-                                                                let _e992 = phi_1467_;
-                                                                if _e992 {
-                                                                    phi_1471_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1471_ = _e990;
-                                                                }
-                                                                let _e994 = phi_1471_;
-                                                                phi_1472_ = _e994;
-                                                            }
-                                                            let _e996 = phi_1472_;
-                                                            phi_1473_ = _e996;
-                                                            phi_1474_ = _e866;
+                                                            let _e810 = select(_e754, _e741, (_e741 > _e754));
+                                                            phi_1034_ = (select(_e767, _e810, (_e810 > _e767)) < 0f);
                                                         }
-                                                        let _e998 = phi_1473_;
-                                                        let _e1000 = phi_1474_;
-                                                        phi_1478_ = _e998;
-                                                        phi_1479_ = _e1000;
-                                                    }
-                                                    let _e1002 = phi_1478_;
-                                                    let _e1004 = phi_1479_;
-                                                    phi_1483_ = _e1002;
-                                                    phi_1484_ = _e1004;
-                                                } else {
-                                                    phi_1483_ = type_23();
-                                                    phi_1484_ = true;
-                                                }
-                                                let _e1006 = phi_1483_;
-                                                let _e1008 = phi_1484_;
-                                                if _e1008 {
-                                                    phi_1488_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1488_ = _e1006;
-                                                }
-                                                let _e1010 = phi_1488_;
-                                                if (_e1010.member_3 != 4294967295u) {
-                                                    if (_e659 != 4294967295u) {
-                                                        phi_1500_ = type_4(0u, 8u);
-                                                        phi_1503_ = _e1010;
-                                                        loop {
-                                                            let _e1015 = phi_1500_;
-                                                            let _e1017 = phi_1503_;
-                                                            if (_e1015.member < _e1015.member_1) {
-                                                                phi_1501_ = type_4((_e1015.member + 1u), _e1015.member_1);
-                                                                phi_1526_ = type_4(1u, _e1015.member);
+                                                        let _e815 = phi_1034_;
+                                                        if _e815 {
+                                                            phi_1742_ = type_23();
+                                                            phi_1743_ = true;
+                                                            phi_1744_ = false;
+                                                        } else {
+                                                            let _e817 = select(_e757, _e744, (_e744 < _e757));
+                                                            if (select(_e770, _e817, (_e817 < _e770)) > 0f) {
+                                                                phi_1063_ = true;
                                                             } else {
-                                                                phi_1501_ = _e1015;
-                                                                phi_1526_ = type_4(0u, type_4().member_1);
+                                                                let _e822 = select(_e757, _e744, (_e744 > _e757));
+                                                                phi_1063_ = (select(_e770, _e822, (_e822 > _e770)) < 0f);
                                                             }
-                                                            let _e1030 = phi_1501_;
-                                                            let _e1032 = phi_1526_;
-                                                            let _e1036 = (bitcast<i32>(_e1032.member) != 0i);
-                                                            if _e1036 {
-                                                                let _e1037 = (_e1032.member_1 < 8u);
-                                                                if _e1037 {
+                                                            let _e827 = phi_1063_;
+                                                            if _e827 {
+                                                                phi_1740_ = type_23();
+                                                                phi_1741_ = false;
+                                                            } else {
+                                                                let _e829 = select(_e731[1][0], _e731[0][0], (_e731[0][0] < _e731[1][0]));
+                                                                let _e833 = select(_e731[1][0], _e731[0][0], (_e731[0][0] > _e731[1][0]));
+                                                                let _e837 = select(_e731[1][1], _e731[0][1], (_e731[0][1] < _e731[1][1]));
+                                                                let _e841 = select(_e731[1][1], _e731[0][1], (_e731[0][1] > _e731[1][1]));
+                                                                let _e845 = select(_e731[1][2], _e731[0][2], (_e731[0][2] < _e731[1][2]));
+                                                                let _e849 = select(_e731[1][2], _e731[0][2], (_e731[0][2] > _e731[1][2]));
+                                                                let _e854 = ((select(_e731[2][0], _e829, (_e829 < _e731[2][0])) - _e270) * _e275);
+                                                                let _e855 = ((select(_e731[2][0], _e833, (_e833 > _e731[2][0])) - _e271) * _e275);
+                                                                let _e858 = ((select(_e731[2][1], _e837, (_e837 < _e731[2][1])) - _e308) * _e313);
+                                                                let _e859 = ((select(_e731[2][1], _e841, (_e841 > _e731[2][1])) - _e309) * _e313);
+                                                                let _e862 = ((select(_e731[2][2], _e845, (_e845 < _e731[2][2])) - _e346) * _e351);
+                                                                let _e863 = ((select(_e731[2][2], _e849, (_e849 > _e731[2][2])) - _e347) * _e351);
+                                                                let _e865 = select(_e863, _e862, (_e862 < _e863));
+                                                                let _e867 = select(_e863, _e862, (_e862 > _e863));
+                                                                let _e869 = select(_e855, _e854, (_e854 < _e855));
+                                                                let _e871 = select(_e859, _e858, (_e858 < _e859));
+                                                                let _e873 = select(_e871, _e869, (_e869 > _e871));
+                                                                let _e875 = select(_e865, _e873, (_e873 > _e865));
+                                                                let _e877 = select(_e855, _e854, (_e854 > _e855));
+                                                                let _e879 = select(_e859, _e858, (_e858 > _e859));
+                                                                let _e881 = select(_e879, _e877, (_e877 < _e879));
+                                                                let _e883 = select(_e867, _e881, (_e881 < _e867));
+                                                                let _e884 = -(_e865);
+                                                                let _e890 = select(_e398, _e875, (_e875 > _e398));
+                                                                if (_e890 > (_e883 + (select(_e884, _e867, (_e867 > _e884)) * 0.0000019073523f))) {
+                                                                    phi_1735_ = type_23();
+                                                                    phi_1736_ = true;
                                                                 } else {
-                                                                    phi_2261_ = true;
+                                                                    let _e892 = (_e890 > _e632);
+                                                                    if _e892 {
+                                                                        phi_1734_ = type_23();
+                                                                    } else {
+                                                                        let _e893 = vec3<f32>(_e731[0][0], _e731[0][1], _e731[0][2]);
+                                                                        let _e894 = vec3<f32>(_e731[1][0], _e731[1][1], _e731[1][2]);
+                                                                        let _e895 = vec3<f32>(_e731[2][0], _e731[2][1], _e731[2][2]);
+                                                                        let _e896 = (_e731[1][0] - _e731[0][0]);
+                                                                        let _e897 = (_e731[1][1] - _e731[0][1]);
+                                                                        let _e898 = (_e731[1][2] - _e731[0][2]);
+                                                                        let _e899 = vec3<f32>(_e896, _e897, _e898);
+                                                                        let _e900 = (_e731[2][0] - _e731[1][0]);
+                                                                        let _e901 = (_e731[2][1] - _e731[1][1]);
+                                                                        let _e902 = (_e731[2][2] - _e731[1][2]);
+                                                                        let _e903 = vec3<f32>(_e900, _e901, _e902);
+                                                                        let _e904 = (_e731[0][0] - _e731[2][0]);
+                                                                        let _e905 = (_e731[0][1] - _e731[2][1]);
+                                                                        let _e906 = (_e731[0][2] - _e731[2][2]);
+                                                                        let _e907 = vec3<f32>(_e904, _e905, _e906);
+                                                                        let _e910 = bitcast<f32>((bitcast<u32>(_e896) & 2147483647u));
+                                                                        let _e913 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
+                                                                        let _e915 = select(_e913, _e910, (_e910 > _e913));
+                                                                        let _e918 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
+                                                                        let _e920 = select(_e918, _e915, (_e915 > _e918));
+                                                                        let _e923 = bitcast<f32>((bitcast<u32>(_e900) & 2147483647u));
+                                                                        let _e926 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
+                                                                        let _e928 = select(_e926, _e923, (_e923 > _e926));
+                                                                        let _e931 = bitcast<f32>((bitcast<u32>(_e902) & 2147483647u));
+                                                                        let _e933 = select(_e931, _e928, (_e928 > _e931));
+                                                                        let _e936 = bitcast<f32>((bitcast<u32>(_e904) & 2147483647u));
+                                                                        let _e939 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
+                                                                        let _e941 = select(_e939, _e936, (_e936 > _e939));
+                                                                        let _e944 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
+                                                                        let _e946 = select(_e944, _e941, (_e941 > _e944));
+                                                                        let _e948 = select(_e933, _e920, (_e920 > _e933));
+                                                                        let _e950 = select(_e946, _e948, (_e948 > _e946));
+                                                                        if (_e920 == _e950) {
+                                                                            phi_1464_ = _e757;
+                                                                            phi_1465_ = _e754;
+                                                                            phi_1466_ = _e744;
+                                                                            phi_1467_ = _e741;
+                                                                            phi_1468_ = _e893;
+                                                                            phi_1469_ = _e907;
+                                                                            phi_1470_ = _e903;
+                                                                            phi_1471_ = _e899;
+                                                                        } else {
+                                                                            let _e952 = (_e933 == _e950);
+                                                                            let _e957 = vec3(_e952);
+                                                                            phi_1464_ = select(_e744, _e770, _e952);
+                                                                            phi_1465_ = select(_e741, _e767, _e952);
+                                                                            phi_1466_ = select(_e770, _e757, _e952);
+                                                                            phi_1467_ = select(_e767, _e754, _e952);
+                                                                            phi_1468_ = select(_e895, _e894, _e957);
+                                                                            phi_1469_ = select(_e903, _e899, _e957);
+                                                                            phi_1470_ = select(_e899, _e907, _e957);
+                                                                            phi_1471_ = select(_e907, _e903, _e957);
+                                                                        }
+                                                                        let _e963 = phi_1464_;
+                                                                        let _e965 = phi_1465_;
+                                                                        let _e967 = phi_1466_;
+                                                                        let _e969 = phi_1467_;
+                                                                        let _e971 = phi_1468_;
+                                                                        let _e973 = phi_1469_;
+                                                                        let _e975 = phi_1470_;
+                                                                        let _e977 = phi_1471_;
+                                                                        let _e984 = ((_e975.y * _e973.z) - (_e973.y * _e975.z));
+                                                                        let _e989 = ((_e975.z * _e973.x) - (_e973.z * _e975.x));
+                                                                        let _e992 = ((_e975.x * _e973.y) - (_e973.x * _e975.y));
+                                                                        if (_e792 >= _e796) {
+                                                                            phi_1502_ = select(true, false, (_e792 >= _e800));
+                                                                        } else {
+                                                                            phi_1502_ = true;
+                                                                        }
+                                                                        let _e997 = phi_1502_;
+                                                                        if _e997 {
+                                                                            phi_1511_ = select(_e895, _e894, vec3((_e796 >= _e800)));
+                                                                        } else {
+                                                                            phi_1511_ = _e893;
+                                                                        }
+                                                                        let _e1002 = phi_1511_;
+                                                                        let _e1007 = (((_e984 * _e272) + (_e989 * _e310)) + (_e992 * _e348));
+                                                                        let _e1018 = (((_e984 * (_e1002.x - _e247)) + (_e989 * (_e1002.y - _e286))) + (_e992 * (_e1002.z - _e324)));
+                                                                        let _e1020 = (_e965 - _e969);
+                                                                        let _e1021 = (_e963 - _e967);
+                                                                        let _e1029 = (-(((_e969 * _e1020) + (_e967 * _e1021))) / ((_e1020 * _e1020) + (_e1021 * _e1021)));
+                                                                        let _e1031 = select(1f, _e1029, (_e1029 < 1f));
+                                                                        let _e1033 = select(0f, _e1031, (_e1031 > 0f));
+                                                                        let _e1046 = ((_e971.x + (_e977.x * _e1033)) - _e247);
+                                                                        let _e1047 = ((_e971.y + (_e977.y * _e1033)) - _e286);
+                                                                        let _e1048 = ((_e971.z + (_e977.z * _e1033)) - _e324);
+                                                                        let _e1049 = (_e1048 / _e348);
+                                                                        let _e1061 = bitcast<f32>((bitcast<u32>(_e1046) & 2147483647u));
+                                                                        let _e1064 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                        let _e1066 = select(_e1064, _e1061, (_e1061 > _e1064));
+                                                                        let _e1069 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                        let _e1071 = select(_e1069, _e1066, (_e1066 > _e1069));
+                                                                        let _e1077 = bitcast<f32>((bitcast<u32>(_e984) & 2147483647u));
+                                                                        let _e1080 = bitcast<f32>((bitcast<u32>(_e989) & 2147483647u));
+                                                                        let _e1082 = select(_e1080, _e1077, (_e1077 > _e1080));
+                                                                        let _e1085 = bitcast<f32>((bitcast<u32>(_e992) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e984 * _e1046) + (_e989 * _e1047)) + (_e992 * _e1048)) - _e1018)) & 2147483647u)) <= ((0.0000009536743f * select(_e950, _e1071, (_e1071 > _e950))) * select(_e1085, _e1082, (_e1082 > _e1085)))) {
+                                                                            let _e1095 = bitcast<f32>((bitcast<u32>(_e975.x) & 2147483647u));
+                                                                            let _e1098 = bitcast<f32>((bitcast<u32>(_e975.y) & 2147483647u));
+                                                                            let _e1100 = select(_e1098, _e1095, (_e1095 > _e1098));
+                                                                            let _e1103 = bitcast<f32>((bitcast<u32>(_e975.z) & 2147483647u));
+                                                                            let _e1109 = bitcast<f32>((bitcast<u32>(_e973.x) & 2147483647u));
+                                                                            let _e1112 = bitcast<f32>((bitcast<u32>(_e973.y) & 2147483647u));
+                                                                            let _e1114 = select(_e1112, _e1109, (_e1109 > _e1112));
+                                                                            let _e1117 = bitcast<f32>((bitcast<u32>(_e973.z) & 2147483647u));
+                                                                            phi_1678_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1007) & 2147483647u)) > ((0.0000038146973f * select(_e1103, _e1100, (_e1100 > _e1103))) * select(_e1117, _e1114, (_e1114 > _e1117)))));
+                                                                        } else {
+                                                                            phi_1678_ = true;
+                                                                        }
+                                                                        let _e1124 = phi_1678_;
+                                                                        if _e1124 {
+                                                                            let _e1135 = ((((_e984 * (_e1046 - (_e272 * _e1049))) + (_e989 * (_e1047 - (_e310 * _e1049)))) + (_e992 * (_e1048 - _e1048))) / _e1007);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1135) & 2147483647u)) <= _e950) {
+                                                                                phi_1702_ = (_e1049 + _e1135);
+                                                                            } else {
+                                                                                phi_1702_ = _e1049;
+                                                                            }
+                                                                            let _e1142 = phi_1702_;
+                                                                            phi_1703_ = _e1142;
+                                                                        } else {
+                                                                            phi_1703_ = (_e1018 / _e1007);
+                                                                        }
+                                                                        let _e1144 = phi_1703_;
+                                                                        let _e1146 = select(_e883, _e1144, (_e1144 < _e883));
+                                                                        let _e1148 = select(_e875, _e1146, (_e1146 > _e875));
+                                                                        if (_e1148 >= _e398) {
+                                                                            let _e1150 = (_e1148 <= _e632);
+                                                                            if _e1150 {
+                                                                                let _e1151 = (1f / _e802);
+                                                                                phi_1726_ = type_23(_e1148, (_e796 * _e1151), (_e800 * _e1151), _e661);
+                                                                            } else {
+                                                                                phi_1726_ = type_23();
+                                                                            }
+                                                                            let _e1156 = phi_1726_;
+                                                                            phi_1728_ = _e1156;
+                                                                            phi_1729_ = select(true, false, _e1150);
+                                                                        } else {
+                                                                            phi_1728_ = type_23();
+                                                                            phi_1729_ = true;
+                                                                        }
+                                                                        let _e1159 = phi_1728_;
+                                                                        let _e1161 = phi_1729_;
+                                                                        if _e1161 {
+                                                                            phi_1733_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1733_ = _e1159;
+                                                                        }
+                                                                        let _e1163 = phi_1733_;
+                                                                        phi_1734_ = _e1163;
+                                                                    }
+                                                                    let _e1165 = phi_1734_;
+                                                                    phi_1735_ = _e1165;
+                                                                    phi_1736_ = _e892;
+                                                                }
+                                                                let _e1167 = phi_1735_;
+                                                                let _e1169 = phi_1736_;
+                                                                phi_1740_ = _e1167;
+                                                                phi_1741_ = _e1169;
+                                                            }
+                                                            let _e1171 = phi_1740_;
+                                                            let _e1173 = phi_1741_;
+                                                            phi_1742_ = _e1171;
+                                                            phi_1743_ = _e827;
+                                                            phi_1744_ = _e1173;
+                                                        }
+                                                        let _e1175 = phi_1742_;
+                                                        let _e1177 = phi_1743_;
+                                                        let _e1179 = phi_1744_;
+                                                        phi_1745_ = _e1175;
+                                                        phi_1746_ = _e1177;
+                                                        phi_1747_ = _e1179;
+                                                    }
+                                                    let _e1181 = phi_1745_;
+                                                    let _e1183 = phi_1746_;
+                                                    let _e1185 = phi_1747_;
+                                                    phi_1755_ = _e1181;
+                                                    phi_1756_ = select(_e1185, true, _e1183);
+                                                } else {
+                                                    phi_1755_ = type_23();
+                                                    phi_1756_ = true;
+                                                }
+                                                let _e1188 = phi_1755_;
+                                                let _e1190 = phi_1756_;
+                                                if _e1190 {
+                                                    phi_1760_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_1760_ = _e1188;
+                                                }
+                                                let _e1192 = phi_1760_;
+                                                if (_e1192.member_3 != 4294967295u) {
+                                                    if (_e661 != 4294967295u) {
+                                                        phi_1772_ = type_4(0u, 8u);
+                                                        phi_1775_ = _e1192;
+                                                        loop {
+                                                            let _e1197 = phi_1772_;
+                                                            let _e1199 = phi_1775_;
+                                                            if (_e1197.member < _e1197.member_1) {
+                                                                phi_1773_ = type_4((_e1197.member + 1u), _e1197.member_1);
+                                                                phi_1798_ = type_4(1u, _e1197.member);
+                                                            } else {
+                                                                phi_1773_ = _e1197;
+                                                                phi_1798_ = type_4(0u, type_4().member_1);
+                                                            }
+                                                            let _e1212 = phi_1773_;
+                                                            let _e1214 = phi_1798_;
+                                                            let _e1218 = (bitcast<i32>(_e1214.member) != 0i);
+                                                            if _e1218 {
+                                                                let _e1219 = (_e1214.member_1 < 8u);
+                                                                if _e1219 {
+                                                                } else {
+                                                                    phi_2533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1042 = local[_e1032.member_1].member;
-                                                                if (_e1017.member < _e1042) {
-                                                                    phi_1559_ = true;
+                                                                let _e1224 = local[_e1214.member_1].member;
+                                                                if (_e1199.member < _e1224) {
+                                                                    phi_1831_ = true;
                                                                 } else {
-                                                                    let _e1044 = local[_e1032.member_1].member;
-                                                                    if (_e1017.member == _e1044) {
-                                                                        let _e1049 = local[_e1032.member_1].member_3;
-                                                                        phi_1558_ = (_e1017.member_3 < _e1049);
+                                                                    let _e1226 = local[_e1214.member_1].member;
+                                                                    if (_e1199.member == _e1226) {
+                                                                        let _e1231 = local[_e1214.member_1].member_3;
+                                                                        phi_1830_ = (_e1199.member_3 < _e1231);
                                                                     } else {
-                                                                        phi_1558_ = false;
+                                                                        phi_1830_ = false;
                                                                     }
-                                                                    let _e1052 = phi_1558_;
-                                                                    phi_1559_ = _e1052;
+                                                                    let _e1234 = phi_1830_;
+                                                                    phi_1831_ = _e1234;
                                                                 }
-                                                                let _e1054 = phi_1559_;
-                                                                if _e1054 {
-                                                                    if _e1037 {
+                                                                let _e1236 = phi_1831_;
+                                                                if _e1236 {
+                                                                    if _e1219 {
                                                                     } else {
-                                                                        phi_2261_ = true;
+                                                                        phi_2533_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1055 = local[_e1032.member_1];
-                                                                    local[_e1032.member_1] = type_23(_e1017.member, _e1017.member_1, _e1017.member_2, _e1017.member_3);
-                                                                    phi_1580_ = type_23(_e1055.member, _e1055.member_1, _e1055.member_2, _e1055.member_3);
+                                                                    let _e1237 = local[_e1214.member_1];
+                                                                    local[_e1214.member_1] = type_23(_e1199.member, _e1199.member_1, _e1199.member_2, _e1199.member_3);
+                                                                    phi_1852_ = type_23(_e1237.member, _e1237.member_1, _e1237.member_2, _e1237.member_3);
                                                                 } else {
-                                                                    phi_1580_ = _e1017;
+                                                                    phi_1852_ = _e1199;
                                                                 }
-                                                                let _e1066 = phi_1580_;
-                                                                phi_1504_ = _e1066;
+                                                                let _e1248 = phi_1852_;
+                                                                phi_1776_ = _e1248;
                                                             } else {
-                                                                phi_1504_ = type_23();
+                                                                phi_1776_ = type_23();
                                                             }
-                                                            let _e1068 = phi_1504_;
+                                                            let _e1250 = phi_1776_;
                                                             continue;
                                                             continuing {
-                                                                phi_1500_ = _e1030;
-                                                                phi_1503_ = _e1068;
-                                                                phi_2261_ = _e628;
-                                                                break if !(_e1036);
+                                                                phi_1772_ = _e1212;
+                                                                phi_1775_ = _e1250;
+                                                                phi_2533_ = _e630;
+                                                                break if !(_e1218);
                                                             }
                                                         }
-                                                        let _e1071 = phi_2261_;
-                                                        phi_2465_ = _e630;
-                                                        phi_2375_ = _e1071;
-                                                        if _e1071 {
+                                                        let _e1253 = phi_2533_;
+                                                        phi_2765_ = _e632;
+                                                        phi_2675_ = _e1253;
+                                                        if _e1253 {
                                                             break;
                                                         }
-                                                        let _e1074 = local[7u].member_3;
-                                                        if (_e1074 != 4294967295u) {
-                                                            let _e1078 = local[7u].member;
-                                                            phi_2528_ = _e1078;
+                                                        let _e1256 = local[7u].member_3;
+                                                        if (_e1256 != 4294967295u) {
+                                                            let _e1260 = local[7u].member;
+                                                            phi_2856_ = _e1260;
                                                         } else {
-                                                            phi_2528_ = _e630;
+                                                            phi_2856_ = _e632;
                                                         }
-                                                        let _e1080 = phi_2528_;
-                                                        phi_2527_ = _e1080;
-                                                        phi_2378_ = _e1071;
+                                                        let _e1262 = phi_2856_;
+                                                        phi_2855_ = _e1262;
+                                                        phi_2678_ = _e1253;
                                                     } else {
-                                                        phi_2527_ = _e630;
-                                                        phi_2378_ = _e628;
+                                                        phi_2855_ = _e632;
+                                                        phi_2678_ = _e630;
                                                     }
-                                                    let _e1082 = phi_2527_;
-                                                    let _e1084 = phi_2378_;
-                                                    phi_2526_ = _e1082;
-                                                    phi_2377_ = _e1084;
+                                                    let _e1264 = phi_2855_;
+                                                    let _e1266 = phi_2678_;
+                                                    phi_2854_ = _e1264;
+                                                    phi_2677_ = _e1266;
                                                 } else {
-                                                    phi_2526_ = _e630;
-                                                    phi_2377_ = _e628;
+                                                    phi_2854_ = _e632;
+                                                    phi_2677_ = _e630;
                                                 }
-                                                let _e1086 = phi_2526_;
-                                                let _e1088 = phi_2377_;
-                                                phi_2525_ = _e1086;
-                                                phi_2376_ = _e1088;
+                                                let _e1268 = phi_2854_;
+                                                let _e1270 = phi_2677_;
+                                                phi_2853_ = _e1268;
+                                                phi_2676_ = _e1270;
                                             } else {
-                                                phi_2525_ = _e630;
-                                                phi_2376_ = _e628;
+                                                phi_2853_ = _e632;
+                                                phi_2676_ = _e630;
                                             }
-                                            let _e1090 = phi_2525_;
-                                            let _e1092 = phi_2376_;
+                                            let _e1272 = phi_2853_;
+                                            let _e1274 = phi_2676_;
                                             continue;
                                             continuing {
-                                                phi_2270_ = _e1092;
-                                                phi_2260_ = _e1090;
-                                                phi_777_ = _e645;
-                                                phi_2465_ = _e1090;
-                                                phi_2375_ = _e1092;
-                                                break if !(_e651);
+                                                phi_2542_ = _e1274;
+                                                phi_2532_ = _e1272;
+                                                phi_782_ = _e647;
+                                                phi_2765_ = _e1272;
+                                                phi_2675_ = _e1274;
+                                                break if !(_e653);
                                             }
                                         }
-                                        let _e1095 = phi_2465_;
-                                        let _e1097 = phi_2375_;
-                                        phi_2380_ = _e1097;
-                                        if _e1097 {
+                                        let _e1277 = phi_2765_;
+                                        let _e1279 = phi_2675_;
+                                        phi_2680_ = _e1279;
+                                        if _e1279 {
                                             break;
                                         }
-                                        phi_2430_ = _e1095;
-                                        phi_2384_ = _e1097;
-                                        phi_2047_ = _e427;
-                                        phi_2048_ = false;
-                                        phi_2049_ = _e431;
+                                        phi_2730_ = _e1277;
+                                        phi_2684_ = _e1279;
+                                        phi_2319_ = _e429;
+                                        phi_2320_ = false;
+                                        phi_2321_ = _e433;
                                     } else {
-                                        if (_e427 >= _e68) {
-                                            phi_1651_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                        if (_e429 >= _e70) {
+                                            phi_1923_ = type_39(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                         } else {
-                                            if (_e427 < _e68) {
+                                            if (_e429 < _e70) {
                                             } else {
-                                                phi_2380_ = true;
+                                                phi_2680_ = true;
                                                 break;
                                             }
-                                            let _e441 = (_e196 % 3u);
-                                            if (_e441 < 3u) {
+                                            let _e443 = (_e198 % 3u);
+                                            if (_e443 < 3u) {
                                             } else {
-                                                phi_2380_ = true;
+                                                phi_2680_ = true;
                                                 break;
                                             }
-                                            let _e447 = global_2.member[_e427].member[_e441];
-                                            let _e453 = (_e195 % 3u);
-                                            if (_e453 < 3u) {
+                                            let _e449 = global_2.member[_e429].member[_e443];
+                                            let _e455 = (_e197 % 3u);
+                                            if (_e455 < 3u) {
                                             } else {
-                                                phi_2380_ = true;
+                                                phi_2680_ = true;
                                                 break;
                                             }
-                                            let _e459 = global_2.member[_e427].member[_e453];
-                                            let _e465 = (_e197 % 3u);
-                                            if (_e465 < 3u) {
+                                            let _e461 = global_2.member[_e429].member[_e455];
+                                            let _e467 = (_e199 % 3u);
+                                            if (_e467 < 3u) {
                                             } else {
-                                                phi_2380_ = true;
+                                                phi_2680_ = true;
                                                 break;
                                             }
-                                            let _e471 = global_2.member[_e427].member[_e465];
-                                            let _e481 = global_2.member[_e427].member_1;
-                                            let _e485 = global_2.member[_e427].member_2;
-                                            phi_1651_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e447[0], _e447[1], _e447[2], _e447[3]), vec4<f32>(_e459[0], _e459[1], _e459[2], _e459[3]), vec4<f32>(_e471[0], _e471[1], _e471[2], _e471[3])), _e481, _e485);
+                                            let _e473 = global_2.member[_e429].member[_e467];
+                                            let _e483 = global_2.member[_e429].member_1;
+                                            let _e487 = global_2.member[_e429].member_2;
+                                            phi_1923_ = type_39(array<vec4<f32>, 3>(vec4<f32>(_e449[0], _e449[1], _e449[2], _e449[3]), vec4<f32>(_e461[0], _e461[1], _e461[2], _e461[3]), vec4<f32>(_e473[0], _e473[1], _e473[2], _e473[3])), _e483, _e487);
                                         }
-                                        let _e488 = phi_1651_;
-                                        let _e499 = ((_e488.member[0].x - _e268) * _e273);
-                                        let _e500 = ((_e488.member[0].y - _e268) * _e273);
-                                        let _e501 = ((_e488.member[0].z - _e269) * _e273);
-                                        let _e502 = ((_e488.member[0].w - _e269) * _e273);
-                                        let _e512 = ((_e488.member[1].x - _e306) * _e311);
-                                        let _e513 = ((_e488.member[1].y - _e306) * _e311);
-                                        let _e514 = ((_e488.member[1].z - _e307) * _e311);
-                                        let _e515 = ((_e488.member[1].w - _e307) * _e311);
-                                        let _e525 = ((_e488.member[2].x - _e344) * _e349);
-                                        let _e526 = ((_e488.member[2].y - _e344) * _e349);
-                                        let _e527 = ((_e488.member[2].z - _e345) * _e349);
-                                        let _e528 = ((_e488.member[2].w - _e345) * _e349);
-                                        let _e530 = select(_e527, _e525, (_e525 < _e527));
-                                        let _e532 = select(_e528, _e526, (_e526 < _e528));
-                                        let _e534 = select(_e527, _e525, (_e525 > _e527));
-                                        let _e536 = select(_e528, _e526, (_e526 > _e528));
-                                        let _e538 = select(_e501, _e499, (_e499 < _e501));
-                                        let _e540 = select(_e502, _e500, (_e500 < _e502));
-                                        let _e542 = select(_e514, _e512, (_e512 < _e514));
-                                        let _e544 = select(_e515, _e513, (_e513 < _e515));
-                                        let _e546 = select(_e542, _e538, (_e538 > _e542));
+                                        let _e490 = phi_1923_;
+                                        let _e501 = ((_e490.member[0].x - _e270) * _e275);
+                                        let _e502 = ((_e490.member[0].y - _e270) * _e275);
+                                        let _e503 = ((_e490.member[0].z - _e271) * _e275);
+                                        let _e504 = ((_e490.member[0].w - _e271) * _e275);
+                                        let _e514 = ((_e490.member[1].x - _e308) * _e313);
+                                        let _e515 = ((_e490.member[1].y - _e308) * _e313);
+                                        let _e516 = ((_e490.member[1].z - _e309) * _e313);
+                                        let _e517 = ((_e490.member[1].w - _e309) * _e313);
+                                        let _e527 = ((_e490.member[2].x - _e346) * _e351);
+                                        let _e528 = ((_e490.member[2].y - _e346) * _e351);
+                                        let _e529 = ((_e490.member[2].z - _e347) * _e351);
+                                        let _e530 = ((_e490.member[2].w - _e347) * _e351);
+                                        let _e532 = select(_e529, _e527, (_e527 < _e529));
+                                        let _e534 = select(_e530, _e528, (_e528 < _e530));
+                                        let _e536 = select(_e529, _e527, (_e527 > _e529));
+                                        let _e538 = select(_e530, _e528, (_e528 > _e530));
+                                        let _e540 = select(_e503, _e501, (_e501 < _e503));
+                                        let _e542 = select(_e504, _e502, (_e502 < _e504));
+                                        let _e544 = select(_e516, _e514, (_e514 < _e516));
+                                        let _e546 = select(_e517, _e515, (_e515 < _e517));
                                         let _e548 = select(_e544, _e540, (_e540 > _e544));
-                                        let _e550 = select(_e530, _e546, (_e546 > _e530));
+                                        let _e550 = select(_e546, _e542, (_e542 > _e546));
                                         let _e552 = select(_e532, _e548, (_e548 > _e532));
-                                        let _e554 = select(_e501, _e499, (_e499 > _e501));
-                                        let _e556 = select(_e502, _e500, (_e500 > _e502));
-                                        let _e558 = select(_e514, _e512, (_e512 > _e514));
-                                        let _e560 = select(_e515, _e513, (_e513 > _e515));
-                                        let _e562 = select(_e558, _e554, (_e554 < _e558));
+                                        let _e554 = select(_e534, _e550, (_e550 > _e534));
+                                        let _e556 = select(_e503, _e501, (_e501 > _e503));
+                                        let _e558 = select(_e504, _e502, (_e502 > _e504));
+                                        let _e560 = select(_e516, _e514, (_e514 > _e516));
+                                        let _e562 = select(_e517, _e515, (_e515 > _e517));
                                         let _e564 = select(_e560, _e556, (_e556 < _e560));
-                                        let _e569 = -(_e530);
-                                        let _e570 = -(_e532);
-                                        let _e577 = (select(_e534, _e562, (_e562 < _e534)) + (select(_e569, _e534, (_e534 > _e569)) * 0.0000019073523f));
-                                        let _e578 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e570, _e536, (_e536 > _e570)) * 0.0000019073523f));
-                                        let _e580 = select(_e396, _e550, (_e550 > _e396));
-                                        let _e582 = select(_e396, _e552, (_e552 > _e396));
-                                        let _e587 = (_e580 <= select(_e405, _e577, (_e577 < _e405)));
-                                        let _e588 = (_e582 <= select(_e405, _e578, (_e578 < _e405)));
-                                        let _e589 = (_e580 <= _e582);
-                                        if _e587 {
-                                            if _e588 {
-                                                if _e589 {
-                                                    phi_1996_ = _e488.member_2;
+                                        let _e566 = select(_e562, _e558, (_e558 < _e562));
+                                        let _e571 = -(_e532);
+                                        let _e572 = -(_e534);
+                                        let _e579 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e571, _e536, (_e536 > _e571)) * 0.0000019073523f));
+                                        let _e580 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e572, _e538, (_e538 > _e572)) * 0.0000019073523f));
+                                        let _e582 = select(_e398, _e552, (_e552 > _e398));
+                                        let _e584 = select(_e398, _e554, (_e554 > _e398));
+                                        let _e589 = (_e582 <= select(_e407, _e579, (_e579 < _e407)));
+                                        let _e590 = (_e584 <= select(_e407, _e580, (_e580 < _e407)));
+                                        let _e591 = (_e582 <= _e584);
+                                        if _e589 {
+                                            if _e590 {
+                                                if _e591 {
+                                                    phi_2268_ = _e490.member_2;
                                                 } else {
-                                                    phi_1996_ = _e488.member_1;
+                                                    phi_2268_ = _e490.member_1;
                                                 }
-                                                let _e593 = phi_1996_;
-                                                let _e596 = (_e431 % 128u);
-                                                let _e597 = (_e596 < 128u);
-                                                if _e597 {
+                                                let _e595 = phi_2268_;
+                                                let _e598 = (_e433 % 128u);
+                                                let _e599 = (_e598 < 128u);
+                                                if _e599 {
                                                 } else {
-                                                    phi_2380_ = true;
+                                                    phi_2680_ = true;
                                                     break;
                                                 }
-                                                local_2[_e596] = _e593;
-                                                if _e597 {
+                                                local_2[_e598] = _e595;
+                                                if _e599 {
                                                 } else {
-                                                    phi_2380_ = true;
+                                                    phi_2680_ = true;
                                                     break;
                                                 }
-                                                local_1[_e596] = select(_e582, _e580, (_e580 > _e582));
-                                                if _e589 {
-                                                    phi_2024_ = _e488.member_1;
+                                                local_1[_e598] = select(_e584, _e582, (_e582 > _e584));
+                                                if _e591 {
+                                                    phi_2296_ = _e490.member_1;
                                                 } else {
-                                                    phi_2024_ = _e488.member_2;
+                                                    phi_2296_ = _e490.member_2;
                                                 }
-                                                let _e604 = phi_2024_;
-                                                phi_2025_ = _e604;
-                                                phi_2026_ = (_e431 + 1u);
+                                                let _e606 = phi_2296_;
+                                                phi_2297_ = _e606;
+                                                phi_2298_ = (_e433 + 1u);
                                             } else {
-                                                phi_2025_ = u32();
-                                                phi_2026_ = u32();
+                                                phi_2297_ = u32();
+                                                phi_2298_ = u32();
                                             }
-                                            let _e606 = phi_2025_;
-                                            let _e608 = phi_2026_;
-                                            phi_2028_ = _e606;
-                                            phi_2029_ = _e608;
-                                            phi_2030_ = select(true, false, _e588);
+                                            let _e608 = phi_2297_;
+                                            let _e610 = phi_2298_;
+                                            phi_2300_ = _e608;
+                                            phi_2301_ = _e610;
+                                            phi_2302_ = select(true, false, _e590);
                                         } else {
-                                            phi_2028_ = u32();
-                                            phi_2029_ = u32();
-                                            phi_2030_ = true;
+                                            phi_2300_ = u32();
+                                            phi_2301_ = u32();
+                                            phi_2302_ = true;
                                         }
-                                        let _e611 = phi_2028_;
-                                        let _e613 = phi_2029_;
-                                        let _e615 = phi_2030_;
-                                        if _e615 {
-                                            if _e587 {
-                                                phi_2039_ = _e488.member_1;
+                                        let _e613 = phi_2300_;
+                                        let _e615 = phi_2301_;
+                                        let _e617 = phi_2302_;
+                                        if _e617 {
+                                            if _e589 {
+                                                phi_2311_ = _e490.member_1;
                                             } else {
-                                                phi_2039_ = _e488.member_2;
+                                                phi_2311_ = _e490.member_2;
                                             }
-                                            let _e619 = phi_2039_;
-                                            phi_2044_ = _e619;
-                                            phi_2045_ = select(_e588, true, _e587);
+                                            let _e621 = phi_2311_;
+                                            phi_2316_ = _e621;
+                                            phi_2317_ = select(_e590, true, _e589);
                                         } else {
-                                            phi_2044_ = _e611;
-                                            phi_2045_ = _e429;
+                                            phi_2316_ = _e613;
+                                            phi_2317_ = _e431;
                                         }
-                                        let _e622 = phi_2044_;
-                                        let _e624 = phi_2045_;
-                                        phi_2430_ = _e405;
-                                        phi_2384_ = _e403;
-                                        phi_2047_ = _e622;
-                                        phi_2048_ = _e624;
-                                        phi_2049_ = select(_e613, _e431, _e615);
+                                        let _e624 = phi_2316_;
+                                        let _e626 = phi_2317_;
+                                        phi_2730_ = _e407;
+                                        phi_2684_ = _e405;
+                                        phi_2319_ = _e624;
+                                        phi_2320_ = _e626;
+                                        phi_2321_ = select(_e615, _e433, _e617);
                                     }
-                                    let _e1099 = phi_2430_;
-                                    let _e1101 = phi_2384_;
-                                    let _e1103 = phi_2047_;
-                                    let _e1105 = phi_2048_;
-                                    let _e1107 = phi_2049_;
-                                    phi_2429_ = _e1099;
-                                    phi_2383_ = _e1101;
-                                    phi_2050_ = _e1103;
-                                    phi_2051_ = (_e409 - 1u);
-                                    phi_2052_ = _e1105;
-                                    phi_2053_ = _e1107;
+                                    let _e1281 = phi_2730_;
+                                    let _e1283 = phi_2684_;
+                                    let _e1285 = phi_2319_;
+                                    let _e1287 = phi_2320_;
+                                    let _e1289 = phi_2321_;
+                                    phi_2729_ = _e1281;
+                                    phi_2683_ = _e1283;
+                                    phi_2322_ = _e1285;
+                                    phi_2323_ = (_e411 - 1u);
+                                    phi_2324_ = _e1287;
+                                    phi_2325_ = _e1289;
                                 } else {
-                                    phi_2429_ = _e405;
-                                    phi_2383_ = _e403;
-                                    phi_2050_ = _e427;
-                                    phi_2051_ = _e409;
-                                    phi_2052_ = _e429;
-                                    phi_2053_ = _e431;
+                                    phi_2729_ = _e407;
+                                    phi_2683_ = _e405;
+                                    phi_2322_ = _e429;
+                                    phi_2323_ = _e411;
+                                    phi_2324_ = _e431;
+                                    phi_2325_ = _e433;
                                 }
-                                let _e1109 = phi_2429_;
-                                let _e1111 = phi_2383_;
-                                let _e1113 = phi_2050_;
-                                let _e1115 = phi_2051_;
-                                let _e1117 = phi_2052_;
-                                let _e1119 = phi_2053_;
-                                phi_2428_ = _e1109;
-                                phi_2382_ = _e1111;
-                                phi_2054_ = _e1113;
-                                phi_2055_ = _e1115;
-                                phi_2056_ = _e1117;
-                                phi_2057_ = _e1119;
+                                let _e1291 = phi_2729_;
+                                let _e1293 = phi_2683_;
+                                let _e1295 = phi_2322_;
+                                let _e1297 = phi_2323_;
+                                let _e1299 = phi_2324_;
+                                let _e1301 = phi_2325_;
+                                phi_2728_ = _e1291;
+                                phi_2682_ = _e1293;
+                                phi_2326_ = _e1295;
+                                phi_2327_ = _e1297;
+                                phi_2328_ = _e1299;
+                                phi_2329_ = _e1301;
                             } else {
-                                phi_2428_ = _e405;
-                                phi_2382_ = _e403;
-                                phi_2054_ = u32();
-                                phi_2055_ = u32();
-                                phi_2056_ = bool();
-                                phi_2057_ = u32();
+                                phi_2728_ = _e407;
+                                phi_2682_ = _e405;
+                                phi_2326_ = u32();
+                                phi_2327_ = u32();
+                                phi_2328_ = bool();
+                                phi_2329_ = u32();
                             }
-                            let _e1121 = phi_2428_;
-                            let _e1123 = phi_2382_;
-                            let _e1125 = phi_2054_;
-                            let _e1127 = phi_2055_;
-                            let _e1129 = phi_2056_;
-                            let _e1131 = phi_2057_;
-                            phi_2427_ = _e1121;
-                            phi_2381_ = _e1123;
-                            phi_710_ = _e1125;
-                            phi_713_ = _e1127;
-                            phi_715_ = _e1129;
-                            phi_717_ = _e1131;
-                            phi_2058_ = _e417;
+                            let _e1303 = phi_2728_;
+                            let _e1305 = phi_2682_;
+                            let _e1307 = phi_2326_;
+                            let _e1309 = phi_2327_;
+                            let _e1311 = phi_2328_;
+                            let _e1313 = phi_2329_;
+                            phi_2727_ = _e1303;
+                            phi_2681_ = _e1305;
+                            phi_715_ = _e1307;
+                            phi_718_ = _e1309;
+                            phi_720_ = _e1311;
+                            phi_722_ = _e1313;
+                            phi_2330_ = _e419;
                         } else {
-                            phi_2427_ = _e405;
-                            phi_2381_ = _e403;
-                            phi_710_ = u32();
-                            phi_713_ = u32();
-                            phi_715_ = bool();
-                            phi_717_ = u32();
-                            phi_2058_ = false;
+                            phi_2727_ = _e407;
+                            phi_2681_ = _e405;
+                            phi_715_ = u32();
+                            phi_718_ = u32();
+                            phi_720_ = bool();
+                            phi_722_ = u32();
+                            phi_2330_ = false;
                         }
-                        let _e1133 = phi_2427_;
-                        let _e1135 = phi_2381_;
-                        let _e1137 = phi_710_;
-                        let _e1139 = phi_713_;
-                        let _e1141 = phi_715_;
-                        let _e1143 = phi_717_;
-                        let _e1145 = phi_2058_;
+                        let _e1315 = phi_2727_;
+                        let _e1317 = phi_2681_;
+                        let _e1319 = phi_715_;
+                        let _e1321 = phi_718_;
+                        let _e1323 = phi_720_;
+                        let _e1325 = phi_722_;
+                        let _e1327 = phi_2330_;
                         continue;
                         continuing {
-                            phi_2273_ = _e1135;
-                            phi_2253_ = _e1133;
-                            phi_709_ = _e1137;
-                            phi_712_ = _e1139;
-                            phi_714_ = _e1141;
-                            phi_716_ = _e1143;
-                            phi_2380_ = _e1135;
-                            break if !(_e1145);
+                            phi_2545_ = _e1317;
+                            phi_2525_ = _e1315;
+                            phi_714_ = _e1319;
+                            phi_717_ = _e1321;
+                            phi_719_ = _e1323;
+                            phi_721_ = _e1325;
+                            phi_2680_ = _e1317;
+                            break if !(_e1327);
                         }
                     }
-                    let _e1148 = phi_2380_;
-                    if _e1148 {
+                    let _e1330 = phi_2680_;
+                    if _e1330 {
                         break;
                     }
-                    phi_2065_ = type_4(0u, 8u);
+                    phi_2337_ = type_4(0u, 8u);
                     loop {
-                        let _e1150 = phi_2065_;
-                        if (_e1150.member < _e1150.member_1) {
-                            phi_2066_ = type_4((_e1150.member + 1u), _e1150.member_1);
-                            phi_2089_ = type_4(1u, _e1150.member);
+                        let _e1332 = phi_2337_;
+                        if (_e1332.member < _e1332.member_1) {
+                            phi_2338_ = type_4((_e1332.member + 1u), _e1332.member_1);
+                            phi_2361_ = type_4(1u, _e1332.member);
                         } else {
-                            phi_2066_ = _e1150;
-                            phi_2089_ = type_4(0u, type_4().member_1);
+                            phi_2338_ = _e1332;
+                            phi_2361_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1163 = phi_2066_;
-                        let _e1165 = phi_2089_;
-                        let _e1169 = (bitcast<i32>(_e1165.member) != 0i);
-                        if _e1169 {
-                            let _e1170 = (_e1165.member_1 < 8u);
-                            if _e1170 {
+                        let _e1345 = phi_2338_;
+                        let _e1347 = phi_2361_;
+                        let _e1351 = (bitcast<i32>(_e1347.member) != 0i);
+                        if _e1351 {
+                            let _e1352 = (_e1347.member_1 < 8u);
+                            if _e1352 {
                             } else {
-                                phi_2420_ = true;
+                                phi_2720_ = true;
                                 break;
                             }
-                            let _e1172 = local[_e1165.member_1];
-                            if (_e1172.member_3 != 4294967295u) {
-                                let _e1178 = -(_e363);
-                                let _e1179 = (_e1178 / 3i);
-                                let _e1186 = bitcast<f32>((bitcast<u32>((_e1179 + 127i)) << bitcast<u32>(23i)));
-                                let _e1194 = (((_e1172.member * _e1186) * _e1186) * bitcast<f32>((bitcast<u32>(((_e1178 - (2i * _e1179)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1196 = select(340282350000000000000000000000000000000f, _e1194, (_e1194 < 340282350000000000000000000000000000000f));
-                                phi_2155_ = type_23(select(-340282350000000000000000000000000000000f, _e1196, (_e1196 > -340282350000000000000000000000000000000f)), _e1172.member_1, _e1172.member_2, _e1172.member_3);
+                            let _e1354 = local[_e1347.member_1];
+                            if (_e1354.member_3 != 4294967295u) {
+                                let _e1360 = -(_e365);
+                                let _e1361 = (_e1360 / 3i);
+                                let _e1368 = bitcast<f32>((bitcast<u32>((_e1361 + 127i)) << bitcast<u32>(23i)));
+                                let _e1376 = (((_e1354.member * _e1368) * _e1368) * bitcast<f32>((bitcast<u32>(((_e1360 - (2i * _e1361)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1378 = select(340282350000000000000000000000000000000f, _e1376, (_e1376 < 340282350000000000000000000000000000000f));
+                                phi_2427_ = type_23(select(-340282350000000000000000000000000000000f, _e1378, (_e1378 > -340282350000000000000000000000000000000f)), _e1354.member_1, _e1354.member_2, _e1354.member_3);
                             } else {
-                                phi_2155_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_2427_ = type_23(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1201 = phi_2155_;
-                            if _e1170 {
+                            let _e1383 = phi_2427_;
+                            if _e1352 {
                             } else {
-                                phi_2420_ = true;
+                                phi_2720_ = true;
                                 break;
                             }
-                            local[_e1165.member_1] = type_23(_e1201.member, _e1201.member_1, _e1201.member_2, _e1201.member_3);
+                            local[_e1347.member_1] = type_23(_e1383.member, _e1383.member_1, _e1383.member_2, _e1383.member_3);
                         }
                         continue;
                         continuing {
-                            phi_2065_ = _e1163;
-                            phi_2420_ = _e1148;
-                            break if !(_e1169);
+                            phi_2337_ = _e1345;
+                            phi_2720_ = _e1330;
+                            break if !(_e1351);
                         }
                     }
-                    let _e1209 = phi_2420_;
-                    if _e1209 {
+                    let _e1391 = phi_2720_;
+                    if _e1391 {
                         break;
                     }
-                    let _e1210 = local;
-                    if _e84 {
+                    let _e1392 = local;
+                    if _e86 {
                     } else {
                         break;
                     }
-                    global_5.member[_e78] = array<type_23, 8>(type_23(_e1210[0].member, _e1210[0].member_1, _e1210[0].member_2, _e1210[0].member_3), type_23(_e1210[1].member, _e1210[1].member_1, _e1210[1].member_2, _e1210[1].member_3), type_23(_e1210[2].member, _e1210[2].member_1, _e1210[2].member_2, _e1210[2].member_3), type_23(_e1210[3].member, _e1210[3].member_1, _e1210[3].member_2, _e1210[3].member_3), type_23(_e1210[4].member, _e1210[4].member_1, _e1210[4].member_2, _e1210[4].member_3), type_23(_e1210[5].member, _e1210[5].member_1, _e1210[5].member_2, _e1210[5].member_3), type_23(_e1210[6].member, _e1210[6].member_1, _e1210[6].member_2, _e1210[6].member_3), type_23(_e1210[7].member, _e1210[7].member_1, _e1210[7].member_2, _e1210[7].member_3));
+                    global_5.member[_e80] = array<type_23, 8>(type_23(_e1392[0].member, _e1392[0].member_1, _e1392[0].member_2, _e1392[0].member_3), type_23(_e1392[1].member, _e1392[1].member_1, _e1392[1].member_2, _e1392[1].member_3), type_23(_e1392[2].member, _e1392[2].member_1, _e1392[2].member_2, _e1392[2].member_3), type_23(_e1392[3].member, _e1392[3].member_1, _e1392[3].member_2, _e1392[3].member_3), type_23(_e1392[4].member, _e1392[4].member_1, _e1392[4].member_2, _e1392[4].member_3), type_23(_e1392[5].member, _e1392[5].member_1, _e1392[5].member_2, _e1392[5].member_3), type_23(_e1392[6].member, _e1392[6].member_1, _e1392[6].member_2, _e1392[6].member_3), type_23(_e1392[7].member, _e1392[7].member_1, _e1392[7].member_2, _e1392[7].member_3));
                 }
             }
             break;

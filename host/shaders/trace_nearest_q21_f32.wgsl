@@ -88,399 +88,416 @@ fn function_() {
     var local_8: array<u32, 128>;
     var local_9: array<type_21, 8>;
     var local_10: array<f32, 128>;
-    var phi_383_: i32;
-    var phi_384_: i32;
-    var phi_394_: bool;
-    var phi_404_: u32;
-    var phi_405_: u32;
-    var phi_407_: bool;
-    var phi_412_: u32;
-    var phi_424_: i32;
-    var phi_444_: i32;
-    var phi_462_: f32;
+    var phi_389_: i32;
+    var phi_390_: i32;
+    var phi_400_: bool;
+    var phi_410_: u32;
+    var phi_411_: u32;
+    var phi_413_: bool;
+    var phi_418_: u32;
+    var phi_430_: i32;
+    var phi_450_: i32;
     var phi_468_: f32;
-    var phi_479_: f32;
+    var phi_474_: f32;
     var phi_485_: f32;
-    var phi_508_: f32;
-    var phi_519_: f32;
-    var phi_528_: f32;
+    var phi_491_: f32;
+    var phi_514_: f32;
+    var phi_525_: f32;
     var phi_534_: f32;
-    var phi_545_: f32;
+    var phi_540_: f32;
     var phi_551_: f32;
-    var phi_574_: f32;
-    var phi_585_: f32;
-    var phi_594_: f32;
+    var phi_557_: f32;
+    var phi_580_: f32;
+    var phi_591_: f32;
     var phi_600_: f32;
-    var phi_611_: f32;
+    var phi_606_: f32;
     var phi_617_: f32;
-    var phi_640_: f32;
-    var phi_651_: f32;
-    var phi_751_: f32;
-    var phi_752_: f32;
-    var phi_3494_: bool;
-    var phi_3422_: f32;
-    var phi_894_: type_52;
-    var phi_897_: u32;
-    var phi_899_: bool;
-    var phi_901_: u32;
-    var phi_912_: bool;
-    var phi_999_: type_52;
-    var phi_1000_: bool;
-    var phi_1001_: u32;
-    var phi_2555_: u32;
-    var phi_2556_: u32;
-    var phi_2566_: u32;
-    var phi_2568_: u32;
-    var phi_2569_: bool;
-    var phi_2589_: u32;
-    var phi_2590_: u32;
-    var phi_2594_: type_53;
-    var phi_2939_: type_52;
-    var phi_3016_: type_52;
-    var phi_3017_: type_52;
-    var phi_3018_: u32;
-    var phi_3020_: type_52;
-    var phi_3021_: u32;
-    var phi_3022_: bool;
-    var phi_3031_: type_52;
-    var phi_3036_: type_52;
-    var phi_3037_: bool;
-    var phi_3491_: bool;
-    var phi_3481_: f32;
-    var phi_1019_: type_4;
-    var phi_1020_: type_4;
-    var phi_1043_: type_4;
-    var phi_1064_: u32;
-    var phi_1153_: array<array<f32, 3>, 3>;
-    var phi_1625_: vec3<f32>;
-    var phi_1626_: vec3<f32>;
-    var phi_1657_: bool;
-    var phi_1666_: vec3<f32>;
-    var phi_1706_: type_21;
-    var phi_1708_: type_21;
-    var phi_1709_: bool;
-    var phi_1713_: type_21;
-    var phi_1714_: type_21;
-    var phi_1715_: type_21;
-    var phi_1716_: bool;
-    var phi_1720_: type_21;
-    var phi_1721_: bool;
-    var phi_1725_: type_21;
-    var phi_1726_: bool;
-    var phi_1730_: type_21;
-    var phi_1742_: type_4;
-    var phi_1745_: type_21;
-    var phi_1743_: type_4;
-    var phi_1768_: type_4;
-    var phi_1800_: bool;
-    var phi_1801_: bool;
-    var phi_1822_: type_21;
-    var phi_1746_: type_21;
-    var phi_3482_: bool;
-    var phi_3801_: f32;
-    var phi_3800_: f32;
-    var phi_3599_: bool;
-    var phi_3799_: f32;
-    var phi_3598_: bool;
-    var phi_3798_: f32;
-    var phi_3597_: bool;
-    var phi_3738_: f32;
-    var phi_3596_: bool;
-    var phi_3703_: f32;
-    var phi_3605_: bool;
-    var phi_3039_: type_52;
-    var phi_3040_: bool;
-    var phi_3041_: u32;
-    var phi_3702_: f32;
-    var phi_3604_: bool;
-    var phi_3042_: type_52;
-    var phi_3043_: u32;
-    var phi_3044_: bool;
-    var phi_3045_: u32;
-    var phi_3701_: f32;
-    var phi_3603_: bool;
-    var phi_3046_: type_52;
-    var phi_3047_: u32;
-    var phi_3048_: bool;
-    var phi_3049_: u32;
-    var phi_3700_: f32;
-    var phi_3602_: bool;
-    var phi_895_: type_52;
-    var phi_898_: u32;
-    var phi_900_: bool;
-    var phi_902_: u32;
-    var phi_3050_: bool;
-    var phi_3601_: bool;
-    var phi_3057_: type_4;
-    var phi_3058_: type_4;
-    var phi_3081_: type_4;
-    var phi_3147_: type_21;
-    var phi_3693_: bool;
+    var phi_623_: f32;
+    var phi_646_: f32;
+    var phi_657_: f32;
+    var phi_757_: f32;
+    var phi_758_: f32;
+    var phi_3767_: bool;
+    var phi_3695_: f32;
+    var phi_900_: type_52;
+    var phi_903_: u32;
+    var phi_905_: bool;
+    var phi_907_: u32;
+    var phi_918_: bool;
+    var phi_1005_: type_52;
+    var phi_1006_: bool;
+    var phi_1007_: u32;
+    var phi_2828_: u32;
+    var phi_2829_: u32;
+    var phi_2839_: u32;
+    var phi_2841_: u32;
+    var phi_2842_: bool;
+    var phi_2862_: u32;
+    var phi_2863_: u32;
+    var phi_2867_: type_53;
+    var phi_3212_: type_52;
+    var phi_3289_: type_52;
+    var phi_3290_: type_52;
+    var phi_3291_: u32;
+    var phi_3293_: type_52;
+    var phi_3294_: u32;
+    var phi_3295_: bool;
+    var phi_3304_: type_52;
+    var phi_3309_: type_52;
+    var phi_3310_: bool;
+    var phi_3764_: bool;
+    var phi_3754_: f32;
+    var phi_1025_: type_4;
+    var phi_1026_: type_4;
+    var phi_1049_: type_4;
+    var phi_1070_: u32;
+    var phi_1159_: array<array<f32, 3>, 3>;
+    var phi_1277_: bool;
+    var phi_1306_: bool;
+    var phi_1707_: f32;
+    var phi_1708_: f32;
+    var phi_1709_: f32;
+    var phi_1710_: f32;
+    var phi_1711_: vec3<f32>;
+    var phi_1712_: vec3<f32>;
+    var phi_1713_: vec3<f32>;
+    var phi_1714_: vec3<f32>;
+    var phi_1745_: bool;
+    var phi_1754_: vec3<f32>;
+    var phi_1921_: bool;
+    var phi_1945_: f32;
+    var phi_1946_: f32;
+    var phi_1969_: type_21;
+    var phi_1971_: type_21;
+    var phi_1972_: bool;
+    var phi_1976_: type_21;
+    var phi_1977_: type_21;
+    var phi_1978_: type_21;
+    var phi_1979_: bool;
+    var phi_1983_: type_21;
+    var phi_1984_: bool;
+    var phi_1985_: type_21;
+    var phi_1986_: bool;
+    var phi_1987_: bool;
+    var phi_1988_: type_21;
+    var phi_1989_: bool;
+    var phi_1990_: bool;
+    var phi_1998_: type_21;
+    var phi_1999_: bool;
+    var phi_2003_: type_21;
+    var phi_2015_: type_4;
+    var phi_2018_: type_21;
+    var phi_2016_: type_4;
+    var phi_2041_: type_4;
+    var phi_2073_: bool;
+    var phi_2074_: bool;
+    var phi_2095_: type_21;
+    var phi_2019_: type_21;
+    var phi_3755_: bool;
+    var phi_4130_: f32;
+    var phi_4129_: f32;
+    var phi_3900_: bool;
+    var phi_4128_: f32;
+    var phi_3899_: bool;
+    var phi_4127_: f32;
+    var phi_3898_: bool;
+    var phi_4039_: f32;
+    var phi_3897_: bool;
+    var phi_4004_: f32;
+    var phi_3906_: bool;
+    var phi_3312_: type_52;
+    var phi_3313_: bool;
+    var phi_3314_: u32;
+    var phi_4003_: f32;
+    var phi_3905_: bool;
+    var phi_3315_: type_52;
+    var phi_3316_: u32;
+    var phi_3317_: bool;
+    var phi_3318_: u32;
+    var phi_4002_: f32;
+    var phi_3904_: bool;
+    var phi_3319_: type_52;
+    var phi_3320_: u32;
+    var phi_3321_: bool;
+    var phi_3322_: u32;
+    var phi_4001_: f32;
+    var phi_3903_: bool;
+    var phi_901_: type_52;
+    var phi_904_: u32;
+    var phi_906_: bool;
+    var phi_908_: u32;
+    var phi_3323_: bool;
+    var phi_3902_: bool;
+    var phi_3330_: type_4;
+    var phi_3331_: type_4;
+    var phi_3354_: type_4;
+    var phi_3420_: type_21;
+    var phi_3994_: bool;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e87 = arrayLength((&global_5.member));
-            let _e89 = arrayLength((&global_2.member));
-            let _e97 = global_3.member[0u][0u];
-            let _e101 = global_3.member[0u][1u];
-            let _e105 = global_3.member[0u][2u];
-            let _e109 = global_3.member[0u][3u];
-            let _e113 = global_3.member[1u][0u];
-            let _e117 = global_3.member[1u][1u];
-            let _e121 = global_3.member[1u][2u];
-            let _e124 = global_1.member[0u];
-            let _e125 = bitcast<i32>(_e124);
-            let _e137 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e109) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e97), bitcast<i32>(_e101), bitcast<i32>(_e105));
-            local = array<i32, 3>(bitcast<i32>(_e113), bitcast<i32>(_e117), bitcast<i32>(_e121));
-            let _e143 = (_e85.x + (_e85.y * 2097152u));
-            let _e144 = (_e143 < arrayLength((&global_4.member)));
-            if _e144 {
-                let _e145 = (_e143 < arrayLength((&global_6.member)));
-                if _e145 {
-                    if _e144 {
+            let _e86 = global;
+            let _e88 = arrayLength((&global_5.member));
+            let _e90 = arrayLength((&global_2.member));
+            let _e98 = global_3.member[0u][0u];
+            let _e102 = global_3.member[0u][1u];
+            let _e106 = global_3.member[0u][2u];
+            let _e110 = global_3.member[0u][3u];
+            let _e114 = global_3.member[1u][0u];
+            let _e118 = global_3.member[1u][1u];
+            let _e122 = global_3.member[1u][2u];
+            let _e125 = global_1.member[0u];
+            let _e126 = bitcast<i32>(_e125);
+            let _e138 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e110) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e98), bitcast<i32>(_e102), bitcast<i32>(_e106));
+            local = array<i32, 3>(bitcast<i32>(_e114), bitcast<i32>(_e118), bitcast<i32>(_e122));
+            let _e144 = (_e86.x + (_e86.y * 2097152u));
+            let _e145 = (_e144 < arrayLength((&global_4.member)));
+            if _e145 {
+                let _e146 = (_e144 < arrayLength((&global_6.member)));
+                if _e146 {
+                    if _e145 {
                     } else {
                         break;
                     }
-                    let _e153 = global_4.member[_e143].member_2[0u];
-                    let _e155 = (bitcast<u32>(_e153) & 2147483647u);
-                    let _e160 = global_4.member[_e143].member_2[1u];
-                    let _e162 = (bitcast<u32>(_e160) & 2147483647u);
-                    let _e167 = global_4.member[_e143].member_2[2u];
-                    let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                    let _e174 = global_4.member[_e143].member[0u];
-                    let _e176 = (bitcast<u32>(_e174) & 2147483647u);
-                    let _e181 = global_4.member[_e143].member[1u];
-                    let _e183 = (bitcast<u32>(_e181) & 2147483647u);
-                    let _e188 = global_4.member[_e143].member[2u];
-                    let _e190 = (bitcast<u32>(_e188) & 2147483647u);
-                    let _e192 = select(_e162, _e155, (_e162 < _e155));
-                    let _e194 = select(_e169, _e192, (_e169 < _e192));
-                    let _e196 = select(_e176, _e194, (_e176 < _e194));
-                    let _e198 = select(_e183, _e196, (_e183 < _e196));
-                    let _e200 = select(_e190, _e198, (_e190 < _e198));
-                    let _e204 = global_4.member[_e143].member_1;
-                    let _e206 = (bitcast<u32>(_e204) & 2147483647u);
-                    let _e213 = global_4.member[_e143].member_3;
-                    let _e219 = (((select(_e206, _e200, (_e206 < _e200)) < 2139095040u) && ((bitcast<u32>(_e213) & 2147483647u) <= 2139095040u)) && (_e194 > 0u));
-                    if _e219 {
-                        let _e222 = (bitcast<u32>(bitcast<f32>(_e194)) & 2147483647u);
-                        if (_e222 >= 8388608u) {
-                            phi_383_ = (bitcast<i32>((_e222 >> bitcast<u32>(23i))) - 127i);
+                    let _e154 = global_4.member[_e144].member_2[0u];
+                    let _e156 = (bitcast<u32>(_e154) & 2147483647u);
+                    let _e161 = global_4.member[_e144].member_2[1u];
+                    let _e163 = (bitcast<u32>(_e161) & 2147483647u);
+                    let _e168 = global_4.member[_e144].member_2[2u];
+                    let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                    let _e175 = global_4.member[_e144].member[0u];
+                    let _e177 = (bitcast<u32>(_e175) & 2147483647u);
+                    let _e182 = global_4.member[_e144].member[1u];
+                    let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                    let _e189 = global_4.member[_e144].member[2u];
+                    let _e191 = (bitcast<u32>(_e189) & 2147483647u);
+                    let _e193 = select(_e163, _e156, (_e163 < _e156));
+                    let _e195 = select(_e170, _e193, (_e170 < _e193));
+                    let _e197 = select(_e177, _e195, (_e177 < _e195));
+                    let _e199 = select(_e184, _e197, (_e184 < _e197));
+                    let _e201 = select(_e191, _e199, (_e191 < _e199));
+                    let _e205 = global_4.member[_e144].member_1;
+                    let _e207 = (bitcast<u32>(_e205) & 2147483647u);
+                    let _e214 = global_4.member[_e144].member_3;
+                    let _e220 = (((select(_e207, _e201, (_e207 < _e201)) < 2139095040u) && ((bitcast<u32>(_e214) & 2147483647u) <= 2139095040u)) && (_e195 > 0u));
+                    if _e220 {
+                        let _e223 = (bitcast<u32>(bitcast<f32>(_e195)) & 2147483647u);
+                        if (_e223 >= 8388608u) {
+                            phi_389_ = (bitcast<i32>((_e223 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_383_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e222)), 32u, (_e222 == 0u))));
+                            phi_389_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e223)), 32u, (_e223 == 0u))));
                         }
-                        let _e236 = phi_383_;
-                        phi_384_ = _e236;
+                        let _e237 = phi_389_;
+                        phi_390_ = _e237;
                     } else {
-                        phi_384_ = 0i;
+                        phi_390_ = 0i;
                     }
-                    let _e238 = phi_384_;
-                    let _e239 = (_e155 == _e194);
-                    if _e239 {
-                        phi_394_ = true;
+                    let _e239 = phi_390_;
+                    let _e240 = (_e156 == _e195);
+                    if _e240 {
+                        phi_400_ = true;
                     } else {
-                        phi_394_ = (_e162 == _e194);
+                        phi_400_ = (_e163 == _e195);
                     }
-                    let _e242 = phi_394_;
-                    let _e243 = select(1u, 0u, _e239);
-                    if _e242 {
-                        let _e244 = (_e243 + 1u);
-                        phi_404_ = _e244;
-                        phi_405_ = _e244;
-                        phi_407_ = select(true, false, (_e244 == 2u));
+                    let _e243 = phi_400_;
+                    let _e244 = select(1u, 0u, _e240);
+                    if _e243 {
+                        let _e245 = (_e244 + 1u);
+                        phi_410_ = _e245;
+                        phi_411_ = _e245;
+                        phi_413_ = select(true, false, (_e245 == 2u));
                     } else {
-                        phi_404_ = u32();
-                        phi_405_ = 0u;
-                        phi_407_ = true;
+                        phi_410_ = u32();
+                        phi_411_ = 0u;
+                        phi_413_ = true;
                     }
-                    let _e248 = phi_404_;
-                    let _e250 = phi_405_;
-                    let _e252 = phi_407_;
-                    if _e252 {
-                        phi_412_ = (_e250 + 1u);
+                    let _e249 = phi_410_;
+                    let _e251 = phi_411_;
+                    let _e253 = phi_413_;
+                    if _e253 {
+                        phi_418_ = (_e251 + 1u);
                     } else {
-                        phi_412_ = 0u;
+                        phi_418_ = 0u;
                     }
-                    let _e256 = phi_412_;
-                    let _e257 = select(_e248, _e250, _e252);
-                    let _e258 = select(_e243, select(2u, _e243, _e242), _e252);
-                    if (_e125 < -126i) {
-                        phi_424_ = -126i;
+                    let _e257 = phi_418_;
+                    let _e258 = select(_e249, _e251, _e253);
+                    let _e259 = select(_e244, select(2u, _e244, _e243), _e253);
+                    if (_e126 < -126i) {
+                        phi_430_ = -126i;
                     } else {
-                        phi_424_ = select(_e125, 127i, (_e125 > 127i));
+                        phi_430_ = select(_e126, 127i, (_e126 > 127i));
                     }
-                    let _e263 = phi_424_;
-                    let _e268 = bitcast<f32>((bitcast<u32>((_e263 + 127i)) << bitcast<u32>(23i)));
-                    let _e274 = bitcast<f32>((bitcast<u32>(((_e125 - _e263) + 127i)) << bitcast<u32>(23i)));
-                    let _e275 = -(_e238);
-                    if (_e275 < -126i) {
-                        phi_444_ = -126i;
+                    let _e264 = phi_430_;
+                    let _e269 = bitcast<f32>((bitcast<u32>((_e264 + 127i)) << bitcast<u32>(23i)));
+                    let _e275 = bitcast<f32>((bitcast<u32>(((_e126 - _e264) + 127i)) << bitcast<u32>(23i)));
+                    let _e276 = -(_e239);
+                    if (_e276 < -126i) {
+                        phi_450_ = -126i;
                     } else {
-                        phi_444_ = select(_e275, 127i, (_e275 > 127i));
+                        phi_450_ = select(_e276, 127i, (_e276 > 127i));
                     }
-                    let _e280 = phi_444_;
-                    let _e285 = bitcast<f32>((bitcast<u32>((_e280 + 127i)) << bitcast<u32>(23i)));
-                    let _e291 = bitcast<f32>((bitcast<u32>(((_e275 - _e280) + 127i)) << bitcast<u32>(23i)));
-                    let _e295 = global_4.member[_e143].member;
-                    let _e296 = (_e257 == 0u);
-                    if _e296 {
-                        phi_462_ = _e295[0];
+                    let _e281 = phi_450_;
+                    let _e286 = bitcast<f32>((bitcast<u32>((_e281 + 127i)) << bitcast<u32>(23i)));
+                    let _e292 = bitcast<f32>((bitcast<u32>(((_e276 - _e281) + 127i)) << bitcast<u32>(23i)));
+                    let _e296 = global_4.member[_e144].member;
+                    let _e297 = (_e258 == 0u);
+                    if _e297 {
+                        phi_468_ = _e296[0];
                     } else {
-                        phi_462_ = _e295[1];
+                        phi_468_ = _e296[1];
                     }
-                    let _e300 = phi_462_;
-                    let _e301 = (_e257 == 2u);
-                    if _e301 {
-                        phi_468_ = _e295[2];
+                    let _e301 = phi_468_;
+                    let _e302 = (_e258 == 2u);
+                    if _e302 {
+                        phi_474_ = _e296[2];
                     } else {
-                        phi_468_ = _e300;
+                        phi_474_ = _e301;
                     }
-                    let _e304 = phi_468_;
-                    let _e306 = ((_e304 * _e268) * _e274);
-                    let _e307 = global_4.member[_e143].member_2;
-                    if _e296 {
-                        phi_479_ = _e307[0];
+                    let _e305 = phi_474_;
+                    let _e307 = ((_e305 * _e269) * _e275);
+                    let _e308 = global_4.member[_e144].member_2;
+                    if _e297 {
+                        phi_485_ = _e308[0];
                     } else {
-                        phi_479_ = _e307[1];
+                        phi_485_ = _e308[1];
                     }
-                    let _e311 = phi_479_;
-                    if _e301 {
-                        phi_485_ = _e307[2];
+                    let _e312 = phi_485_;
+                    if _e302 {
+                        phi_491_ = _e308[2];
                     } else {
-                        phi_485_ = _e311;
+                        phi_491_ = _e312;
                     }
-                    let _e314 = phi_485_;
-                    let _e316 = ((_e314 * _e285) * _e291);
-                    let _e320 = (bitcast<f32>((bitcast<u32>(_e316) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e320 {
-                        let _e324 = (bitcast<f32>((bitcast<u32>(_e306) & 2147483647u)) * 0.00000011920929f);
-                        phi_508_ = select(0.00000000000011368684f, _e324, (_e324 > 0.00000000000011368684f));
+                    let _e315 = phi_491_;
+                    let _e317 = ((_e315 * _e286) * _e292);
+                    let _e321 = (bitcast<f32>((bitcast<u32>(_e317) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e321 {
+                        let _e325 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) * 0.00000011920929f);
+                        phi_514_ = select(0.00000000000011368684f, _e325, (_e325 > 0.00000000000011368684f));
                     } else {
-                        phi_508_ = 0f;
+                        phi_514_ = 0f;
                     }
-                    let _e328 = phi_508_;
-                    let _e329 = (_e306 + _e328);
-                    let _e330 = (_e306 - _e328);
-                    let _e331 = select(_e316, 0f, _e320);
-                    if _e320 {
-                        phi_519_ = 38685626000000000000000000f;
+                    let _e329 = phi_514_;
+                    let _e330 = (_e307 + _e329);
+                    let _e331 = (_e307 - _e329);
+                    let _e332 = select(_e317, 0f, _e321);
+                    if _e321 {
+                        phi_525_ = 38685626000000000000000000f;
                     } else {
-                        phi_519_ = (1f / _e316);
+                        phi_525_ = (1f / _e317);
                     }
-                    let _e334 = phi_519_;
-                    let _e335 = (_e256 == 0u);
-                    if _e335 {
-                        phi_528_ = _e295[0];
+                    let _e335 = phi_525_;
+                    let _e336 = (_e257 == 0u);
+                    if _e336 {
+                        phi_534_ = _e296[0];
                     } else {
-                        phi_528_ = _e295[1];
+                        phi_534_ = _e296[1];
                     }
-                    let _e339 = phi_528_;
-                    let _e340 = (_e256 == 2u);
-                    if _e340 {
-                        phi_534_ = _e295[2];
+                    let _e340 = phi_534_;
+                    let _e341 = (_e257 == 2u);
+                    if _e341 {
+                        phi_540_ = _e296[2];
                     } else {
-                        phi_534_ = _e339;
+                        phi_540_ = _e340;
                     }
-                    let _e343 = phi_534_;
-                    let _e345 = ((_e343 * _e268) * _e274);
-                    if _e335 {
-                        phi_545_ = _e307[0];
+                    let _e344 = phi_540_;
+                    let _e346 = ((_e344 * _e269) * _e275);
+                    if _e336 {
+                        phi_551_ = _e308[0];
                     } else {
-                        phi_545_ = _e307[1];
+                        phi_551_ = _e308[1];
                     }
-                    let _e349 = phi_545_;
-                    if _e340 {
-                        phi_551_ = _e307[2];
+                    let _e350 = phi_551_;
+                    if _e341 {
+                        phi_557_ = _e308[2];
                     } else {
-                        phi_551_ = _e349;
+                        phi_557_ = _e350;
                     }
-                    let _e352 = phi_551_;
-                    let _e354 = ((_e352 * _e285) * _e291);
-                    let _e358 = (bitcast<f32>((bitcast<u32>(_e354) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e358 {
-                        let _e362 = (bitcast<f32>((bitcast<u32>(_e345) & 2147483647u)) * 0.00000011920929f);
-                        phi_574_ = select(0.00000000000011368684f, _e362, (_e362 > 0.00000000000011368684f));
+                    let _e353 = phi_557_;
+                    let _e355 = ((_e353 * _e286) * _e292);
+                    let _e359 = (bitcast<f32>((bitcast<u32>(_e355) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e359 {
+                        let _e363 = (bitcast<f32>((bitcast<u32>(_e346) & 2147483647u)) * 0.00000011920929f);
+                        phi_580_ = select(0.00000000000011368684f, _e363, (_e363 > 0.00000000000011368684f));
                     } else {
-                        phi_574_ = 0f;
+                        phi_580_ = 0f;
                     }
-                    let _e366 = phi_574_;
-                    let _e367 = (_e345 + _e366);
-                    let _e368 = (_e345 - _e366);
-                    let _e369 = select(_e354, 0f, _e358);
-                    if _e358 {
-                        phi_585_ = 38685626000000000000000000f;
+                    let _e367 = phi_580_;
+                    let _e368 = (_e346 + _e367);
+                    let _e369 = (_e346 - _e367);
+                    let _e370 = select(_e355, 0f, _e359);
+                    if _e359 {
+                        phi_591_ = 38685626000000000000000000f;
                     } else {
-                        phi_585_ = (1f / _e354);
+                        phi_591_ = (1f / _e355);
                     }
-                    let _e372 = phi_585_;
-                    let _e373 = (_e258 == 0u);
-                    if _e373 {
-                        phi_594_ = _e295[0];
+                    let _e373 = phi_591_;
+                    let _e374 = (_e259 == 0u);
+                    if _e374 {
+                        phi_600_ = _e296[0];
                     } else {
-                        phi_594_ = _e295[1];
+                        phi_600_ = _e296[1];
                     }
-                    let _e377 = phi_594_;
-                    let _e378 = (_e258 == 2u);
-                    if _e378 {
-                        phi_600_ = _e295[2];
+                    let _e378 = phi_600_;
+                    let _e379 = (_e259 == 2u);
+                    if _e379 {
+                        phi_606_ = _e296[2];
                     } else {
-                        phi_600_ = _e377;
+                        phi_606_ = _e378;
                     }
-                    let _e381 = phi_600_;
-                    let _e383 = ((_e381 * _e268) * _e274);
-                    if _e373 {
-                        phi_611_ = _e307[0];
+                    let _e382 = phi_606_;
+                    let _e384 = ((_e382 * _e269) * _e275);
+                    if _e374 {
+                        phi_617_ = _e308[0];
                     } else {
-                        phi_611_ = _e307[1];
+                        phi_617_ = _e308[1];
                     }
-                    let _e387 = phi_611_;
-                    if _e378 {
-                        phi_617_ = _e307[2];
+                    let _e388 = phi_617_;
+                    if _e379 {
+                        phi_623_ = _e308[2];
                     } else {
-                        phi_617_ = _e387;
+                        phi_623_ = _e388;
                     }
-                    let _e390 = phi_617_;
-                    let _e392 = ((_e390 * _e285) * _e291);
-                    let _e396 = (bitcast<f32>((bitcast<u32>(_e392) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e396 {
-                        let _e400 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                        phi_640_ = select(0.00000000000011368684f, _e400, (_e400 > 0.00000000000011368684f));
+                    let _e391 = phi_623_;
+                    let _e393 = ((_e391 * _e286) * _e292);
+                    let _e397 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e397 {
+                        let _e401 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) * 0.00000011920929f);
+                        phi_646_ = select(0.00000000000011368684f, _e401, (_e401 > 0.00000000000011368684f));
                     } else {
-                        phi_640_ = 0f;
+                        phi_646_ = 0f;
                     }
-                    let _e404 = phi_640_;
-                    let _e405 = (_e383 + _e404);
-                    let _e406 = (_e383 - _e404);
-                    let _e407 = select(_e392, 0f, _e396);
-                    if _e396 {
-                        phi_651_ = 38685626000000000000000000f;
+                    let _e405 = phi_646_;
+                    let _e406 = (_e384 + _e405);
+                    let _e407 = (_e384 - _e405);
+                    let _e408 = select(_e393, 0f, _e397);
+                    if _e397 {
+                        phi_657_ = 38685626000000000000000000f;
                     } else {
-                        phi_651_ = (1f / _e392);
+                        phi_657_ = (1f / _e393);
                     }
-                    let _e410 = phi_651_;
-                    let _e413 = bitcast<f32>((bitcast<u32>(_e306) & 2147483647u));
-                    let _e416 = bitcast<f32>((bitcast<u32>(_e345) & 2147483647u));
-                    let _e418 = select(_e416, _e413, (_e413 > _e416));
-                    let _e421 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                    let _e424 = (_e125 + _e238);
-                    if (_e219 && (select(_e421, _e418, (_e418 > _e421)) <= 1099511600000f)) {
-                        let _e427 = (_e424 / 3i);
-                        let _e434 = bitcast<f32>((bitcast<u32>((_e427 + 127i)) << bitcast<u32>(23i)));
-                        let _e441 = bitcast<f32>((bitcast<u32>(((_e424 - (2i * _e427)) + 127i)) << bitcast<u32>(23i)));
-                        let _e442 = (((_e204 * _e434) * _e434) * _e441);
-                        let _e444 = select(340282350000000000000000000000000000000f, _e442, (_e442 < 340282350000000000000000000000000000000f));
-                        let _e449 = (((_e213 * _e434) * _e434) * _e441);
-                        let _e451 = select(340282350000000000000000000000000000000f, _e449, (_e449 < 340282350000000000000000000000000000000f));
-                        phi_751_ = select(-340282350000000000000000000000000000000f, _e451, (_e451 > -340282350000000000000000000000000000000f));
-                        phi_752_ = select(-340282350000000000000000000000000000000f, _e444, (_e444 > -340282350000000000000000000000000000000f));
+                    let _e411 = phi_657_;
+                    let _e414 = bitcast<f32>((bitcast<u32>(_e307) & 2147483647u));
+                    let _e417 = bitcast<f32>((bitcast<u32>(_e346) & 2147483647u));
+                    let _e419 = select(_e417, _e414, (_e414 > _e417));
+                    let _e422 = bitcast<f32>((bitcast<u32>(_e384) & 2147483647u));
+                    let _e425 = (_e126 + _e239);
+                    if (_e220 && (select(_e422, _e419, (_e419 > _e422)) <= 1099511600000f)) {
+                        let _e428 = (_e425 / 3i);
+                        let _e435 = bitcast<f32>((bitcast<u32>((_e428 + 127i)) << bitcast<u32>(23i)));
+                        let _e442 = bitcast<f32>((bitcast<u32>(((_e425 - (2i * _e428)) + 127i)) << bitcast<u32>(23i)));
+                        let _e443 = (((_e205 * _e435) * _e435) * _e442);
+                        let _e445 = select(340282350000000000000000000000000000000f, _e443, (_e443 < 340282350000000000000000000000000000000f));
+                        let _e450 = (((_e214 * _e435) * _e435) * _e442);
+                        let _e452 = select(340282350000000000000000000000000000000f, _e450, (_e450 < 340282350000000000000000000000000000000f));
+                        phi_757_ = select(-340282350000000000000000000000000000000f, _e452, (_e452 > -340282350000000000000000000000000000000f));
+                        phi_758_ = select(-340282350000000000000000000000000000000f, _e445, (_e445 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_751_ = 0f;
-                        phi_752_ = 1f;
+                        phi_757_ = 0f;
+                        phi_758_ = 1f;
                     }
-                    let _e455 = phi_751_;
-                    let _e457 = phi_752_;
+                    let _e456 = phi_757_;
+                    let _e458 = phi_758_;
                     local_9 = array<type_21, 8>(type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u));
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -490,955 +507,1063 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_10 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e460 = (_e257 % 3u);
-                    let _e461 = (_e460 < 3u);
-                    if _e461 {
+                    let _e461 = (_e258 % 3u);
+                    let _e462 = (_e461 < 3u);
+                    if _e462 {
                     } else {
                         break;
                     }
-                    let _e463 = local_1[_e460];
-                    let _e466 = (_e256 % 3u);
-                    let _e467 = (_e466 < 3u);
-                    if _e467 {
+                    let _e464 = local_1[_e461];
+                    let _e467 = (_e257 % 3u);
+                    let _e468 = (_e467 < 3u);
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e469 = local_1[_e466];
-                    let _e472 = (_e258 % 3u);
-                    let _e473 = (_e472 < 3u);
-                    if _e473 {
+                    let _e470 = local_1[_e467];
+                    let _e473 = (_e259 % 3u);
+                    let _e474 = (_e473 < 3u);
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e475 = local_1[_e472];
-                    if _e461 {
+                    let _e476 = local_1[_e473];
+                    if _e462 {
                     } else {
                         break;
                     }
-                    let _e480 = local[_e460];
-                    if _e467 {
+                    let _e481 = local[_e461];
+                    if _e468 {
                     } else {
                         break;
                     }
-                    let _e484 = local[_e466];
-                    if _e473 {
+                    let _e485 = local[_e467];
+                    if _e474 {
                     } else {
                         break;
                     }
-                    let _e488 = local[_e472];
-                    phi_3494_ = false;
-                    phi_3422_ = _e455;
-                    phi_894_ = type_52(type_25(vec4<f32>((f32(_e463) * _e137), (f32(_e469) * _e137), (f32(_e475) * _e137), 0f), vec4<f32>((f32(_e480) * _e137), (f32(_e484) * _e137), (f32(_e488) * _e137), 0f)), select(0u, 2147483648u, (_e87 == 0u)));
-                    phi_897_ = ((3u * _e87) + 1u);
-                    phi_899_ = (_e457 <= _e455);
-                    phi_901_ = 0u;
+                    let _e489 = local[_e473];
+                    phi_3767_ = false;
+                    phi_3695_ = _e456;
+                    phi_900_ = type_52(type_25(vec4<f32>((f32(_e464) * _e138), (f32(_e470) * _e138), (f32(_e476) * _e138), 0f), vec4<f32>((f32(_e481) * _e138), (f32(_e485) * _e138), (f32(_e489) * _e138), 0f)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_903_ = ((3u * _e88) + 1u);
+                    phi_905_ = (_e458 <= _e456);
+                    phi_907_ = 0u;
                     loop {
-                        let _e498 = phi_3494_;
-                        let _e500 = phi_3422_;
-                        let _e502 = phi_894_;
-                        let _e504 = phi_897_;
-                        let _e506 = phi_899_;
-                        let _e508 = phi_901_;
-                        if _e506 {
-                            phi_912_ = true;
+                        let _e499 = phi_3767_;
+                        let _e501 = phi_3695_;
+                        let _e503 = phi_900_;
+                        let _e505 = phi_903_;
+                        let _e507 = phi_905_;
+                        let _e509 = phi_907_;
+                        if _e507 {
+                            phi_918_ = true;
                         } else {
-                            phi_912_ = (_e508 > 0u);
+                            phi_918_ = (_e509 > 0u);
                         }
-                        let _e511 = phi_912_;
-                        if _e511 {
-                            let _e512 = (_e504 > 0u);
-                            if _e512 {
-                                if _e506 {
-                                    phi_999_ = _e502;
-                                    phi_1000_ = _e506;
-                                    phi_1001_ = _e508;
+                        let _e512 = phi_918_;
+                        if _e512 {
+                            let _e513 = (_e505 > 0u);
+                            if _e513 {
+                                if _e507 {
+                                    phi_1005_ = _e503;
+                                    phi_1006_ = _e507;
+                                    phi_1007_ = _e509;
                                 } else {
-                                    let _e513 = (_e508 - 1u);
-                                    let _e514 = (_e513 % 128u);
-                                    let _e515 = (_e514 < 128u);
-                                    if _e515 {
+                                    let _e514 = (_e509 - 1u);
+                                    let _e515 = (_e514 % 128u);
+                                    let _e516 = (_e515 < 128u);
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e517 = local_7[_e514];
-                                    if _e515 {
+                                    let _e518 = local_7[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e519 = local_6[_e514];
-                                    if _e515 {
+                                    let _e520 = local_6[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e521 = local_5[_e514];
-                                    if _e515 {
+                                    let _e522 = local_5[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e523 = local_4[_e514];
-                                    if _e515 {
+                                    let _e524 = local_4[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e525 = local_3[_e514];
-                                    if _e515 {
+                                    let _e526 = local_3[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e527 = local_2[_e514];
-                                    if _e515 {
+                                    let _e528 = local_2[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e532 = local_8[_e514];
-                                    if _e515 {
+                                    let _e533 = local_8[_e515];
+                                    if _e516 {
                                     } else {
-                                        phi_3601_ = true;
+                                        phi_3902_ = true;
                                         break;
                                     }
-                                    let _e535 = local_10[_e514];
-                                    phi_999_ = type_52(type_25(vec4<f32>(_e517, _e519, _e521, 0f), vec4<f32>(_e523, _e525, _e527, 0f)), _e532);
-                                    phi_1000_ = (_e535 <= _e500);
-                                    phi_1001_ = _e513;
+                                    let _e536 = local_10[_e515];
+                                    phi_1005_ = type_52(type_25(vec4<f32>(_e518, _e520, _e522, 0f), vec4<f32>(_e524, _e526, _e528, 0f)), _e533);
+                                    phi_1006_ = (_e536 <= _e501);
+                                    phi_1007_ = _e514;
                                 }
-                                let _e538 = phi_999_;
-                                let _e540 = phi_1000_;
-                                let _e542 = phi_1001_;
-                                if _e540 {
-                                    if ((_e538.member_1 & 2147483648u) != 0u) {
-                                        phi_3491_ = _e498;
-                                        phi_3481_ = _e500;
-                                        phi_1019_ = type_4(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e539 = phi_1005_;
+                                let _e541 = phi_1006_;
+                                let _e543 = phi_1007_;
+                                if _e541 {
+                                    if ((_e539.member_1 & 2147483648u) != 0u) {
+                                        phi_3764_ = _e499;
+                                        phi_3754_ = _e501;
+                                        phi_1025_ = type_4(0u, ((_e539.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1003 = phi_3491_;
-                                            let _e1005 = phi_3481_;
-                                            let _e1007 = phi_1019_;
-                                            if (_e1007.member < _e1007.member_1) {
-                                                phi_1020_ = type_4((_e1007.member + 1u), _e1007.member_1);
-                                                phi_1043_ = type_4(1u, _e1007.member);
+                                            let _e1004 = phi_3764_;
+                                            let _e1006 = phi_3754_;
+                                            let _e1008 = phi_1025_;
+                                            if (_e1008.member < _e1008.member_1) {
+                                                phi_1026_ = type_4((_e1008.member + 1u), _e1008.member_1);
+                                                phi_1049_ = type_4(1u, _e1008.member);
                                             } else {
-                                                phi_1020_ = _e1007;
-                                                phi_1043_ = type_4(0u, type_4().member_1);
+                                                phi_1026_ = _e1008;
+                                                phi_1049_ = type_4(0u, type_4().member_1);
                                             }
-                                            let _e1020 = phi_1020_;
-                                            let _e1022 = phi_1043_;
-                                            let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
-                                            if _e1026 {
-                                                let _e1027 = ((_e538.member_1 & 268435455u) + _e1022.member_1);
-                                                let _e1028 = (_e1027 < _e89);
-                                                if _e1028 {
-                                                    if _e1028 {
+                                            let _e1021 = phi_1026_;
+                                            let _e1023 = phi_1049_;
+                                            let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
+                                            if _e1027 {
+                                                let _e1028 = ((_e539.member_1 & 268435455u) + _e1023.member_1);
+                                                let _e1029 = (_e1028 < _e90);
+                                                if _e1029 {
+                                                    if _e1029 {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1032 = global_2.member[_e1027].member_1;
-                                                    phi_1064_ = _e1032;
+                                                    let _e1033 = global_2.member[_e1028].member_1;
+                                                    phi_1070_ = _e1033;
                                                 } else {
-                                                    phi_1064_ = 4294967295u;
+                                                    phi_1070_ = 4294967295u;
                                                 }
-                                                let _e1034 = phi_1064_;
-                                                if (_e1027 >= _e89) {
-                                                    phi_1153_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e1035 = phi_1070_;
+                                                if (_e1028 >= _e90) {
+                                                    phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e1028 {
+                                                    if _e1029 {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    if (_e460 < 9u) {
+                                                    if (_e461 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1041 = global_2.member[_e1027].member[_e460];
-                                                    if (_e466 < 9u) {
+                                                    let _e1042 = global_2.member[_e1028].member[_e461];
+                                                    if (_e467 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1047 = global_2.member[_e1027].member[_e466];
-                                                    if (_e472 < 9u) {
+                                                    let _e1048 = global_2.member[_e1028].member[_e467];
+                                                    if (_e473 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1053 = global_2.member[_e1027].member[_e472];
-                                                    let _e1055 = (3u + _e460);
-                                                    if (_e1055 < 9u) {
+                                                    let _e1054 = global_2.member[_e1028].member[_e473];
+                                                    let _e1056 = (3u + _e461);
+                                                    if (_e1056 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1061 = global_2.member[_e1027].member[_e1055];
-                                                    let _e1062 = (3u + _e466);
-                                                    if (_e1062 < 9u) {
+                                                    let _e1062 = global_2.member[_e1028].member[_e1056];
+                                                    let _e1063 = (3u + _e467);
+                                                    if (_e1063 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1068 = global_2.member[_e1027].member[_e1062];
-                                                    let _e1069 = (3u + _e472);
-                                                    if (_e1069 < 9u) {
+                                                    let _e1069 = global_2.member[_e1028].member[_e1063];
+                                                    let _e1070 = (3u + _e473);
+                                                    if (_e1070 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1075 = global_2.member[_e1027].member[_e1069];
-                                                    let _e1077 = (6u + _e460);
-                                                    if (_e1077 < 9u) {
+                                                    let _e1076 = global_2.member[_e1028].member[_e1070];
+                                                    let _e1078 = (6u + _e461);
+                                                    if (_e1078 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1083 = global_2.member[_e1027].member[_e1077];
-                                                    let _e1084 = (6u + _e466);
-                                                    if (_e1084 < 9u) {
+                                                    let _e1084 = global_2.member[_e1028].member[_e1078];
+                                                    let _e1085 = (6u + _e467);
+                                                    if (_e1085 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1090 = global_2.member[_e1027].member[_e1084];
-                                                    let _e1091 = (6u + _e472);
-                                                    if (_e1091 < 9u) {
+                                                    let _e1091 = global_2.member[_e1028].member[_e1085];
+                                                    let _e1092 = (6u + _e473);
+                                                    if (_e1092 < 9u) {
                                                     } else {
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = true;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = true;
                                                         break;
                                                     }
-                                                    let _e1097 = global_2.member[_e1027].member[_e1091];
-                                                    phi_1153_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1041, _e1047, _e1053), array<f32, 3>(_e1061, _e1068, _e1075), array<f32, 3>(_e1083, _e1090, _e1097));
+                                                    let _e1098 = global_2.member[_e1028].member[_e1092];
+                                                    phi_1159_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1042, _e1048, _e1054), array<f32, 3>(_e1062, _e1069, _e1076), array<f32, 3>(_e1084, _e1091, _e1098));
                                                 }
-                                                let _e1101 = phi_1153_;
-                                                let _e1108 = (_e1101[0][2] - _e383);
-                                                let _e1111 = (((_e1101[0][0] - _e306) * _e407) - (_e1108 * _e331));
-                                                let _e1114 = (((_e1101[0][1] - _e345) * _e407) - (_e1108 * _e369));
-                                                let _e1121 = (_e1101[1][2] - _e383);
-                                                let _e1124 = (((_e1101[1][0] - _e306) * _e407) - (_e1121 * _e331));
-                                                let _e1127 = (((_e1101[1][1] - _e345) * _e407) - (_e1121 * _e369));
-                                                let _e1134 = (_e1101[2][2] - _e383);
-                                                let _e1137 = (((_e1101[2][0] - _e306) * _e407) - (_e1134 * _e331));
-                                                let _e1140 = (((_e1101[2][1] - _e345) * _e407) - (_e1134 * _e369));
-                                                let _e1141 = (_e1137 * _e1127);
-                                                let _e1142 = (_e1140 * _e1124);
-                                                let _e1143 = (_e1111 * _e1140);
-                                                let _e1144 = (_e1114 * _e1137);
-                                                let _e1145 = (_e1124 * _e1114);
-                                                let _e1146 = (_e1127 * _e1111);
-                                                let _e1151 = (((_e1141 >= _e1142) && (_e1143 >= _e1144)) && (_e1145 >= _e1146));
-                                                if (_e1151 || (((_e1141 <= _e1142) && (_e1143 <= _e1144)) && (_e1145 <= _e1146))) {
-                                                    let _e1158 = select(-1f, 1f, _e1151);
-                                                    let _e1160 = ((_e1141 - _e1142) * _e1158);
-                                                    let _e1162 = select(0f, _e1160, (_e1160 > 0f));
-                                                    let _e1164 = ((_e1143 - _e1144) * _e1158);
-                                                    let _e1166 = select(0f, _e1164, (_e1164 > 0f));
-                                                    let _e1168 = ((_e1145 - _e1146) * _e1158);
-                                                    let _e1170 = select(0f, _e1168, (_e1168 > 0f));
-                                                    let _e1172 = ((_e1162 + _e1166) + _e1170);
-                                                    if (_e1172 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1720_ = type_21();
-                                                        phi_1721_ = true;
+                                                let _e1102 = phi_1159_;
+                                                let _e1109 = (_e1102[0][2] - _e384);
+                                                let _e1112 = (((_e1102[0][0] - _e307) * _e408) - (_e1109 * _e332));
+                                                let _e1115 = (((_e1102[0][1] - _e346) * _e408) - (_e1109 * _e370));
+                                                let _e1122 = (_e1102[1][2] - _e384);
+                                                let _e1125 = (((_e1102[1][0] - _e307) * _e408) - (_e1122 * _e332));
+                                                let _e1128 = (((_e1102[1][1] - _e346) * _e408) - (_e1122 * _e370));
+                                                let _e1135 = (_e1102[2][2] - _e384);
+                                                let _e1138 = (((_e1102[2][0] - _e307) * _e408) - (_e1135 * _e332));
+                                                let _e1141 = (((_e1102[2][1] - _e346) * _e408) - (_e1135 * _e370));
+                                                let _e1142 = (_e1138 * _e1128);
+                                                let _e1143 = (_e1141 * _e1125);
+                                                let _e1144 = (_e1112 * _e1141);
+                                                let _e1145 = (_e1115 * _e1138);
+                                                let _e1146 = (_e1125 * _e1115);
+                                                let _e1147 = (_e1128 * _e1112);
+                                                let _e1152 = (((_e1142 >= _e1143) && (_e1144 >= _e1145)) && (_e1146 >= _e1147));
+                                                if (_e1152 || (((_e1142 <= _e1143) && (_e1144 <= _e1145)) && (_e1146 <= _e1147))) {
+                                                    let _e1159 = select(-1f, 1f, _e1152);
+                                                    let _e1161 = ((_e1142 - _e1143) * _e1159);
+                                                    let _e1163 = select(0f, _e1161, (_e1161 > 0f));
+                                                    let _e1165 = ((_e1144 - _e1145) * _e1159);
+                                                    let _e1167 = select(0f, _e1165, (_e1165 > 0f));
+                                                    let _e1169 = ((_e1146 - _e1147) * _e1159);
+                                                    let _e1171 = select(0f, _e1169, (_e1169 > 0f));
+                                                    let _e1173 = ((_e1163 + _e1167) + _e1171);
+                                                    if (_e1173 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1988_ = type_21();
+                                                        phi_1989_ = true;
+                                                        phi_1990_ = false;
                                                     } else {
-                                                        let _e1175 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] < _e1101[1][0]));
-                                                        let _e1179 = select(_e1101[1][0], _e1101[0][0], (_e1101[0][0] > _e1101[1][0]));
-                                                        let _e1183 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] < _e1101[1][1]));
-                                                        let _e1187 = select(_e1101[1][1], _e1101[0][1], (_e1101[0][1] > _e1101[1][1]));
-                                                        let _e1191 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] < _e1101[1][2]));
-                                                        let _e1195 = select(_e1101[1][2], _e1101[0][2], (_e1101[0][2] > _e1101[1][2]));
-                                                        let _e1200 = ((select(_e1101[2][0], _e1175, (_e1175 < _e1101[2][0])) - _e329) * _e334);
-                                                        let _e1201 = ((select(_e1101[2][0], _e1179, (_e1179 > _e1101[2][0])) - _e330) * _e334);
-                                                        let _e1204 = ((select(_e1101[2][1], _e1183, (_e1183 < _e1101[2][1])) - _e367) * _e372);
-                                                        let _e1205 = ((select(_e1101[2][1], _e1187, (_e1187 > _e1101[2][1])) - _e368) * _e372);
-                                                        let _e1208 = ((select(_e1101[2][2], _e1191, (_e1191 < _e1101[2][2])) - _e405) * _e410);
-                                                        let _e1209 = ((select(_e1101[2][2], _e1195, (_e1195 > _e1101[2][2])) - _e406) * _e410);
-                                                        let _e1211 = select(_e1209, _e1208, (_e1208 < _e1209));
-                                                        let _e1213 = select(_e1209, _e1208, (_e1208 > _e1209));
-                                                        let _e1215 = select(_e1201, _e1200, (_e1200 < _e1201));
-                                                        let _e1217 = select(_e1205, _e1204, (_e1204 < _e1205));
-                                                        let _e1219 = select(_e1217, _e1215, (_e1215 > _e1217));
-                                                        let _e1221 = select(_e1211, _e1219, (_e1219 > _e1211));
-                                                        let _e1223 = select(_e1201, _e1200, (_e1200 > _e1201));
-                                                        let _e1225 = select(_e1205, _e1204, (_e1204 > _e1205));
-                                                        let _e1227 = select(_e1225, _e1223, (_e1223 < _e1225));
-                                                        let _e1229 = select(_e1213, _e1227, (_e1227 < _e1213));
-                                                        let _e1230 = -(_e1211);
-                                                        let _e1236 = select(_e457, _e1221, (_e1221 > _e457));
-                                                        if (_e1236 > (_e1229 + (select(_e1230, _e1213, (_e1213 > _e1230)) * 0.0000019073523f))) {
-                                                            phi_1715_ = type_21();
-                                                            phi_1716_ = true;
+                                                        let _e1176 = select(_e1125, _e1112, (_e1112 < _e1125));
+                                                        if (select(_e1138, _e1176, (_e1176 < _e1138)) > 0f) {
+                                                            phi_1277_ = true;
                                                         } else {
-                                                            let _e1238 = (_e1236 > _e1005);
-                                                            if _e1238 {
-                                                                phi_1714_ = type_21();
-                                                            } else {
-                                                                let _e1242 = (_e1101[1][0] - _e1101[0][0]);
-                                                                let _e1243 = (_e1101[1][1] - _e1101[0][1]);
-                                                                let _e1244 = (_e1101[1][2] - _e1101[0][2]);
-                                                                let _e1245 = vec3<f32>(_e1242, _e1243, _e1244);
-                                                                let _e1246 = (_e1101[2][0] - _e1101[1][0]);
-                                                                let _e1247 = (_e1101[2][1] - _e1101[1][1]);
-                                                                let _e1248 = (_e1101[2][2] - _e1101[1][2]);
-                                                                let _e1249 = vec3<f32>(_e1246, _e1247, _e1248);
-                                                                let _e1250 = (_e1101[0][0] - _e1101[2][0]);
-                                                                let _e1251 = (_e1101[0][1] - _e1101[2][1]);
-                                                                let _e1252 = (_e1101[0][2] - _e1101[2][2]);
-                                                                let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
-                                                                let _e1256 = bitcast<f32>((bitcast<u32>(_e1242) & 2147483647u));
-                                                                let _e1259 = bitcast<f32>((bitcast<u32>(_e1243) & 2147483647u));
-                                                                let _e1261 = select(_e1259, _e1256, (_e1256 > _e1259));
-                                                                let _e1264 = bitcast<f32>((bitcast<u32>(_e1244) & 2147483647u));
-                                                                let _e1266 = select(_e1264, _e1261, (_e1261 > _e1264));
-                                                                let _e1269 = bitcast<f32>((bitcast<u32>(_e1246) & 2147483647u));
-                                                                let _e1272 = bitcast<f32>((bitcast<u32>(_e1247) & 2147483647u));
-                                                                let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
-                                                                let _e1277 = bitcast<f32>((bitcast<u32>(_e1248) & 2147483647u));
-                                                                let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
-                                                                let _e1282 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                let _e1285 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                let _e1290 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                let _e1292 = select(_e1290, _e1287, (_e1287 > _e1290));
-                                                                let _e1294 = select(_e1279, _e1266, (_e1266 > _e1279));
-                                                                let _e1296 = select(_e1292, _e1294, (_e1294 > _e1292));
-                                                                if (_e1266 == _e1296) {
-                                                                    phi_1625_ = _e1249;
-                                                                    phi_1626_ = _e1253;
-                                                                } else {
-                                                                    let _e1299 = vec3((_e1279 == _e1296));
-                                                                    phi_1625_ = select(_e1245, _e1253, _e1299);
-                                                                    phi_1626_ = select(_e1249, _e1245, _e1299);
-                                                                }
-                                                                let _e1303 = phi_1625_;
-                                                                let _e1305 = phi_1626_;
-                                                                let _e1312 = ((_e1303.y * _e1305.z) - (_e1305.y * _e1303.z));
-                                                                let _e1317 = ((_e1303.z * _e1305.x) - (_e1305.z * _e1303.x));
-                                                                let _e1320 = ((_e1303.x * _e1305.y) - (_e1305.x * _e1303.y));
-                                                                if (_e1162 >= _e1166) {
-                                                                    phi_1657_ = select(true, false, (_e1162 >= _e1170));
-                                                                } else {
-                                                                    phi_1657_ = true;
-                                                                }
-                                                                let _e1325 = phi_1657_;
-                                                                if _e1325 {
-                                                                    phi_1666_ = select(vec3<f32>(_e1101[2][0], _e1101[2][1], _e1101[2][2]), vec3<f32>(_e1101[1][0], _e1101[1][1], _e1101[1][2]), vec3((_e1166 >= _e1170)));
-                                                                } else {
-                                                                    phi_1666_ = vec3<f32>(_e1101[0][0], _e1101[0][1], _e1101[0][2]);
-                                                                }
-                                                                let _e1330 = phi_1666_;
-                                                                let _e1347 = ((((_e1312 * (_e1330.x - _e306)) + (_e1317 * (_e1330.y - _e345))) + (_e1320 * (_e1330.z - _e383))) / (((_e1312 * _e331) + (_e1317 * _e369)) + (_e1320 * _e407)));
-                                                                let _e1349 = select(_e1229, _e1347, (_e1347 < _e1229));
-                                                                let _e1351 = select(_e1221, _e1349, (_e1349 > _e1221));
-                                                                if (_e1351 >= _e457) {
-                                                                    let _e1353 = (_e1351 <= _e1005);
-                                                                    if _e1353 {
-                                                                        let _e1354 = (1f / _e1172);
-                                                                        phi_1706_ = type_21(_e1351, (_e1166 * _e1354), (_e1170 * _e1354), _e1034);
-                                                                    } else {
-                                                                        phi_1706_ = type_21();
-                                                                    }
-                                                                    let _e1359 = phi_1706_;
-                                                                    phi_1708_ = _e1359;
-                                                                    phi_1709_ = select(true, false, _e1353);
-                                                                } else {
-                                                                    phi_1708_ = type_21();
-                                                                    phi_1709_ = true;
-                                                                }
-                                                                let _e1362 = phi_1708_;
-                                                                let _e1364 = phi_1709_;
-                                                                if _e1364 {
-                                                                    phi_1713_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1713_ = _e1362;
-                                                                }
-                                                                let _e1366 = phi_1713_;
-                                                                phi_1714_ = _e1366;
-                                                            }
-                                                            let _e1368 = phi_1714_;
-                                                            phi_1715_ = _e1368;
-                                                            phi_1716_ = _e1238;
+                                                            let _e1181 = select(_e1125, _e1112, (_e1112 > _e1125));
+                                                            phi_1277_ = (select(_e1138, _e1181, (_e1181 > _e1138)) < 0f);
                                                         }
-                                                        let _e1370 = phi_1715_;
-                                                        let _e1372 = phi_1716_;
-                                                        phi_1720_ = _e1370;
-                                                        phi_1721_ = _e1372;
-                                                    }
-                                                    let _e1374 = phi_1720_;
-                                                    let _e1376 = phi_1721_;
-                                                    phi_1725_ = _e1374;
-                                                    phi_1726_ = _e1376;
-                                                } else {
-                                                    phi_1725_ = type_21();
-                                                    phi_1726_ = true;
-                                                }
-                                                let _e1378 = phi_1725_;
-                                                let _e1380 = phi_1726_;
-                                                if _e1380 {
-                                                    phi_1730_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                } else {
-                                                    phi_1730_ = _e1378;
-                                                }
-                                                let _e1382 = phi_1730_;
-                                                if (_e1382.member_3 != 4294967295u) {
-                                                    if (_e1034 != 4294967295u) {
-                                                        phi_1742_ = type_4(0u, 8u);
-                                                        phi_1745_ = _e1382;
-                                                        loop {
-                                                            let _e1387 = phi_1742_;
-                                                            let _e1389 = phi_1745_;
-                                                            if (_e1387.member < _e1387.member_1) {
-                                                                phi_1743_ = type_4((_e1387.member + 1u), _e1387.member_1);
-                                                                phi_1768_ = type_4(1u, _e1387.member);
+                                                        let _e1186 = phi_1277_;
+                                                        if _e1186 {
+                                                            phi_1985_ = type_21();
+                                                            phi_1986_ = true;
+                                                            phi_1987_ = false;
+                                                        } else {
+                                                            let _e1188 = select(_e1128, _e1115, (_e1115 < _e1128));
+                                                            if (select(_e1141, _e1188, (_e1188 < _e1141)) > 0f) {
+                                                                phi_1306_ = true;
                                                             } else {
-                                                                phi_1743_ = _e1387;
-                                                                phi_1768_ = type_4(0u, type_4().member_1);
+                                                                let _e1193 = select(_e1128, _e1115, (_e1115 > _e1128));
+                                                                phi_1306_ = (select(_e1141, _e1193, (_e1193 > _e1141)) < 0f);
                                                             }
-                                                            let _e1402 = phi_1743_;
-                                                            let _e1404 = phi_1768_;
-                                                            let _e1408 = (bitcast<i32>(_e1404.member) != 0i);
-                                                            if _e1408 {
-                                                                let _e1409 = (_e1404.member_1 < 8u);
-                                                                if _e1409 {
+                                                            let _e1198 = phi_1306_;
+                                                            if _e1198 {
+                                                                phi_1983_ = type_21();
+                                                                phi_1984_ = false;
+                                                            } else {
+                                                                let _e1200 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] < _e1102[1][0]));
+                                                                let _e1204 = select(_e1102[1][0], _e1102[0][0], (_e1102[0][0] > _e1102[1][0]));
+                                                                let _e1208 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] < _e1102[1][1]));
+                                                                let _e1212 = select(_e1102[1][1], _e1102[0][1], (_e1102[0][1] > _e1102[1][1]));
+                                                                let _e1216 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] < _e1102[1][2]));
+                                                                let _e1220 = select(_e1102[1][2], _e1102[0][2], (_e1102[0][2] > _e1102[1][2]));
+                                                                let _e1225 = ((select(_e1102[2][0], _e1200, (_e1200 < _e1102[2][0])) - _e330) * _e335);
+                                                                let _e1226 = ((select(_e1102[2][0], _e1204, (_e1204 > _e1102[2][0])) - _e331) * _e335);
+                                                                let _e1229 = ((select(_e1102[2][1], _e1208, (_e1208 < _e1102[2][1])) - _e368) * _e373);
+                                                                let _e1230 = ((select(_e1102[2][1], _e1212, (_e1212 > _e1102[2][1])) - _e369) * _e373);
+                                                                let _e1233 = ((select(_e1102[2][2], _e1216, (_e1216 < _e1102[2][2])) - _e406) * _e411);
+                                                                let _e1234 = ((select(_e1102[2][2], _e1220, (_e1220 > _e1102[2][2])) - _e407) * _e411);
+                                                                let _e1236 = select(_e1234, _e1233, (_e1233 < _e1234));
+                                                                let _e1238 = select(_e1234, _e1233, (_e1233 > _e1234));
+                                                                let _e1240 = select(_e1226, _e1225, (_e1225 < _e1226));
+                                                                let _e1242 = select(_e1230, _e1229, (_e1229 < _e1230));
+                                                                let _e1244 = select(_e1242, _e1240, (_e1240 > _e1242));
+                                                                let _e1246 = select(_e1236, _e1244, (_e1244 > _e1236));
+                                                                let _e1248 = select(_e1226, _e1225, (_e1225 > _e1226));
+                                                                let _e1250 = select(_e1230, _e1229, (_e1229 > _e1230));
+                                                                let _e1252 = select(_e1250, _e1248, (_e1248 < _e1250));
+                                                                let _e1254 = select(_e1238, _e1252, (_e1252 < _e1238));
+                                                                let _e1255 = -(_e1236);
+                                                                let _e1261 = select(_e458, _e1246, (_e1246 > _e458));
+                                                                if (_e1261 > (_e1254 + (select(_e1255, _e1238, (_e1238 > _e1255)) * 0.0000019073523f))) {
+                                                                    phi_1978_ = type_21();
+                                                                    phi_1979_ = true;
                                                                 } else {
-                                                                    phi_3482_ = true;
+                                                                    let _e1263 = (_e1261 > _e1006);
+                                                                    if _e1263 {
+                                                                        phi_1977_ = type_21();
+                                                                    } else {
+                                                                        let _e1264 = vec3<f32>(_e1102[0][0], _e1102[0][1], _e1102[0][2]);
+                                                                        let _e1265 = vec3<f32>(_e1102[1][0], _e1102[1][1], _e1102[1][2]);
+                                                                        let _e1266 = vec3<f32>(_e1102[2][0], _e1102[2][1], _e1102[2][2]);
+                                                                        let _e1267 = (_e1102[1][0] - _e1102[0][0]);
+                                                                        let _e1268 = (_e1102[1][1] - _e1102[0][1]);
+                                                                        let _e1269 = (_e1102[1][2] - _e1102[0][2]);
+                                                                        let _e1270 = vec3<f32>(_e1267, _e1268, _e1269);
+                                                                        let _e1271 = (_e1102[2][0] - _e1102[1][0]);
+                                                                        let _e1272 = (_e1102[2][1] - _e1102[1][1]);
+                                                                        let _e1273 = (_e1102[2][2] - _e1102[1][2]);
+                                                                        let _e1274 = vec3<f32>(_e1271, _e1272, _e1273);
+                                                                        let _e1275 = (_e1102[0][0] - _e1102[2][0]);
+                                                                        let _e1276 = (_e1102[0][1] - _e1102[2][1]);
+                                                                        let _e1277 = (_e1102[0][2] - _e1102[2][2]);
+                                                                        let _e1278 = vec3<f32>(_e1275, _e1276, _e1277);
+                                                                        let _e1281 = bitcast<f32>((bitcast<u32>(_e1267) & 2147483647u));
+                                                                        let _e1284 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
+                                                                        let _e1286 = select(_e1284, _e1281, (_e1281 > _e1284));
+                                                                        let _e1289 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
+                                                                        let _e1291 = select(_e1289, _e1286, (_e1286 > _e1289));
+                                                                        let _e1294 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
+                                                                        let _e1297 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
+                                                                        let _e1299 = select(_e1297, _e1294, (_e1294 > _e1297));
+                                                                        let _e1302 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
+                                                                        let _e1304 = select(_e1302, _e1299, (_e1299 > _e1302));
+                                                                        let _e1307 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                        let _e1310 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
+                                                                        let _e1312 = select(_e1310, _e1307, (_e1307 > _e1310));
+                                                                        let _e1315 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
+                                                                        let _e1317 = select(_e1315, _e1312, (_e1312 > _e1315));
+                                                                        let _e1319 = select(_e1304, _e1291, (_e1291 > _e1304));
+                                                                        let _e1321 = select(_e1317, _e1319, (_e1319 > _e1317));
+                                                                        if (_e1291 == _e1321) {
+                                                                            phi_1707_ = _e1128;
+                                                                            phi_1708_ = _e1125;
+                                                                            phi_1709_ = _e1115;
+                                                                            phi_1710_ = _e1112;
+                                                                            phi_1711_ = _e1264;
+                                                                            phi_1712_ = _e1278;
+                                                                            phi_1713_ = _e1274;
+                                                                            phi_1714_ = _e1270;
+                                                                        } else {
+                                                                            let _e1323 = (_e1304 == _e1321);
+                                                                            let _e1328 = vec3(_e1323);
+                                                                            phi_1707_ = select(_e1115, _e1141, _e1323);
+                                                                            phi_1708_ = select(_e1112, _e1138, _e1323);
+                                                                            phi_1709_ = select(_e1141, _e1128, _e1323);
+                                                                            phi_1710_ = select(_e1138, _e1125, _e1323);
+                                                                            phi_1711_ = select(_e1266, _e1265, _e1328);
+                                                                            phi_1712_ = select(_e1274, _e1270, _e1328);
+                                                                            phi_1713_ = select(_e1270, _e1278, _e1328);
+                                                                            phi_1714_ = select(_e1278, _e1274, _e1328);
+                                                                        }
+                                                                        let _e1334 = phi_1707_;
+                                                                        let _e1336 = phi_1708_;
+                                                                        let _e1338 = phi_1709_;
+                                                                        let _e1340 = phi_1710_;
+                                                                        let _e1342 = phi_1711_;
+                                                                        let _e1344 = phi_1712_;
+                                                                        let _e1346 = phi_1713_;
+                                                                        let _e1348 = phi_1714_;
+                                                                        let _e1355 = ((_e1346.y * _e1344.z) - (_e1344.y * _e1346.z));
+                                                                        let _e1360 = ((_e1346.z * _e1344.x) - (_e1344.z * _e1346.x));
+                                                                        let _e1363 = ((_e1346.x * _e1344.y) - (_e1344.x * _e1346.y));
+                                                                        if (_e1163 >= _e1167) {
+                                                                            phi_1745_ = select(true, false, (_e1163 >= _e1171));
+                                                                        } else {
+                                                                            phi_1745_ = true;
+                                                                        }
+                                                                        let _e1368 = phi_1745_;
+                                                                        if _e1368 {
+                                                                            phi_1754_ = select(_e1266, _e1265, vec3((_e1167 >= _e1171)));
+                                                                        } else {
+                                                                            phi_1754_ = _e1264;
+                                                                        }
+                                                                        let _e1373 = phi_1754_;
+                                                                        let _e1378 = (((_e1355 * _e332) + (_e1360 * _e370)) + (_e1363 * _e408));
+                                                                        let _e1389 = (((_e1355 * (_e1373.x - _e307)) + (_e1360 * (_e1373.y - _e346))) + (_e1363 * (_e1373.z - _e384)));
+                                                                        let _e1391 = (_e1336 - _e1340);
+                                                                        let _e1392 = (_e1334 - _e1338);
+                                                                        let _e1400 = (-(((_e1340 * _e1391) + (_e1338 * _e1392))) / ((_e1391 * _e1391) + (_e1392 * _e1392)));
+                                                                        let _e1402 = select(1f, _e1400, (_e1400 < 1f));
+                                                                        let _e1404 = select(0f, _e1402, (_e1402 > 0f));
+                                                                        let _e1417 = ((_e1342.x + (_e1348.x * _e1404)) - _e307);
+                                                                        let _e1418 = ((_e1342.y + (_e1348.y * _e1404)) - _e346);
+                                                                        let _e1419 = ((_e1342.z + (_e1348.z * _e1404)) - _e384);
+                                                                        let _e1420 = (_e1419 / _e408);
+                                                                        let _e1432 = bitcast<f32>((bitcast<u32>(_e1417) & 2147483647u));
+                                                                        let _e1435 = bitcast<f32>((bitcast<u32>(_e1418) & 2147483647u));
+                                                                        let _e1437 = select(_e1435, _e1432, (_e1432 > _e1435));
+                                                                        let _e1440 = bitcast<f32>((bitcast<u32>(_e1419) & 2147483647u));
+                                                                        let _e1442 = select(_e1440, _e1437, (_e1437 > _e1440));
+                                                                        let _e1448 = bitcast<f32>((bitcast<u32>(_e1355) & 2147483647u));
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1360) & 2147483647u));
+                                                                        let _e1453 = select(_e1451, _e1448, (_e1448 > _e1451));
+                                                                        let _e1456 = bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1355 * _e1417) + (_e1360 * _e1418)) + (_e1363 * _e1419)) - _e1389)) & 2147483647u)) <= ((0.0000009536743f * select(_e1321, _e1442, (_e1442 > _e1321))) * select(_e1456, _e1453, (_e1453 > _e1456)))) {
+                                                                            let _e1466 = bitcast<f32>((bitcast<u32>(_e1346.x) & 2147483647u));
+                                                                            let _e1469 = bitcast<f32>((bitcast<u32>(_e1346.y) & 2147483647u));
+                                                                            let _e1471 = select(_e1469, _e1466, (_e1466 > _e1469));
+                                                                            let _e1474 = bitcast<f32>((bitcast<u32>(_e1346.z) & 2147483647u));
+                                                                            let _e1480 = bitcast<f32>((bitcast<u32>(_e1344.x) & 2147483647u));
+                                                                            let _e1483 = bitcast<f32>((bitcast<u32>(_e1344.y) & 2147483647u));
+                                                                            let _e1485 = select(_e1483, _e1480, (_e1480 > _e1483));
+                                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1344.z) & 2147483647u));
+                                                                            phi_1921_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1378) & 2147483647u)) > ((0.0000038146973f * select(_e1474, _e1471, (_e1471 > _e1474))) * select(_e1488, _e1485, (_e1485 > _e1488)))));
+                                                                        } else {
+                                                                            phi_1921_ = true;
+                                                                        }
+                                                                        let _e1495 = phi_1921_;
+                                                                        if _e1495 {
+                                                                            let _e1506 = ((((_e1355 * (_e1417 - (_e332 * _e1420))) + (_e1360 * (_e1418 - (_e370 * _e1420)))) + (_e1363 * (_e1419 - _e1419))) / _e1378);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u)) <= _e1321) {
+                                                                                phi_1945_ = (_e1420 + _e1506);
+                                                                            } else {
+                                                                                phi_1945_ = _e1420;
+                                                                            }
+                                                                            let _e1513 = phi_1945_;
+                                                                            phi_1946_ = _e1513;
+                                                                        } else {
+                                                                            phi_1946_ = (_e1389 / _e1378);
+                                                                        }
+                                                                        let _e1515 = phi_1946_;
+                                                                        let _e1517 = select(_e1254, _e1515, (_e1515 < _e1254));
+                                                                        let _e1519 = select(_e1246, _e1517, (_e1517 > _e1246));
+                                                                        if (_e1519 >= _e458) {
+                                                                            let _e1521 = (_e1519 <= _e1006);
+                                                                            if _e1521 {
+                                                                                let _e1522 = (1f / _e1173);
+                                                                                phi_1969_ = type_21(_e1519, (_e1167 * _e1522), (_e1171 * _e1522), _e1035);
+                                                                            } else {
+                                                                                phi_1969_ = type_21();
+                                                                            }
+                                                                            let _e1527 = phi_1969_;
+                                                                            phi_1971_ = _e1527;
+                                                                            phi_1972_ = select(true, false, _e1521);
+                                                                        } else {
+                                                                            phi_1971_ = type_21();
+                                                                            phi_1972_ = true;
+                                                                        }
+                                                                        let _e1530 = phi_1971_;
+                                                                        let _e1532 = phi_1972_;
+                                                                        if _e1532 {
+                                                                            phi_1976_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1976_ = _e1530;
+                                                                        }
+                                                                        let _e1534 = phi_1976_;
+                                                                        phi_1977_ = _e1534;
+                                                                    }
+                                                                    let _e1536 = phi_1977_;
+                                                                    phi_1978_ = _e1536;
+                                                                    phi_1979_ = _e1263;
+                                                                }
+                                                                let _e1538 = phi_1978_;
+                                                                let _e1540 = phi_1979_;
+                                                                phi_1983_ = _e1538;
+                                                                phi_1984_ = _e1540;
+                                                            }
+                                                            let _e1542 = phi_1983_;
+                                                            let _e1544 = phi_1984_;
+                                                            phi_1985_ = _e1542;
+                                                            phi_1986_ = _e1198;
+                                                            phi_1987_ = _e1544;
+                                                        }
+                                                        let _e1546 = phi_1985_;
+                                                        let _e1548 = phi_1986_;
+                                                        let _e1550 = phi_1987_;
+                                                        phi_1988_ = _e1546;
+                                                        phi_1989_ = _e1548;
+                                                        phi_1990_ = _e1550;
+                                                    }
+                                                    let _e1552 = phi_1988_;
+                                                    let _e1554 = phi_1989_;
+                                                    let _e1556 = phi_1990_;
+                                                    phi_1998_ = _e1552;
+                                                    phi_1999_ = select(_e1556, true, _e1554);
+                                                } else {
+                                                    phi_1998_ = type_21();
+                                                    phi_1999_ = true;
+                                                }
+                                                let _e1559 = phi_1998_;
+                                                let _e1561 = phi_1999_;
+                                                if _e1561 {
+                                                    phi_2003_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                } else {
+                                                    phi_2003_ = _e1559;
+                                                }
+                                                let _e1563 = phi_2003_;
+                                                if (_e1563.member_3 != 4294967295u) {
+                                                    if (_e1035 != 4294967295u) {
+                                                        phi_2015_ = type_4(0u, 8u);
+                                                        phi_2018_ = _e1563;
+                                                        loop {
+                                                            let _e1568 = phi_2015_;
+                                                            let _e1570 = phi_2018_;
+                                                            if (_e1568.member < _e1568.member_1) {
+                                                                phi_2016_ = type_4((_e1568.member + 1u), _e1568.member_1);
+                                                                phi_2041_ = type_4(1u, _e1568.member);
+                                                            } else {
+                                                                phi_2016_ = _e1568;
+                                                                phi_2041_ = type_4(0u, type_4().member_1);
+                                                            }
+                                                            let _e1583 = phi_2016_;
+                                                            let _e1585 = phi_2041_;
+                                                            let _e1589 = (bitcast<i32>(_e1585.member) != 0i);
+                                                            if _e1589 {
+                                                                let _e1590 = (_e1585.member_1 < 8u);
+                                                                if _e1590 {
+                                                                } else {
+                                                                    phi_3755_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1414 = local_9[_e1404.member_1].member;
-                                                                if (_e1389.member < _e1414) {
-                                                                    phi_1801_ = true;
+                                                                let _e1595 = local_9[_e1585.member_1].member;
+                                                                if (_e1570.member < _e1595) {
+                                                                    phi_2074_ = true;
                                                                 } else {
-                                                                    let _e1416 = local_9[_e1404.member_1].member;
-                                                                    if (_e1389.member == _e1416) {
-                                                                        let _e1421 = local_9[_e1404.member_1].member_3;
-                                                                        phi_1800_ = (_e1389.member_3 < _e1421);
+                                                                    let _e1597 = local_9[_e1585.member_1].member;
+                                                                    if (_e1570.member == _e1597) {
+                                                                        let _e1602 = local_9[_e1585.member_1].member_3;
+                                                                        phi_2073_ = (_e1570.member_3 < _e1602);
                                                                     } else {
-                                                                        phi_1800_ = false;
+                                                                        phi_2073_ = false;
                                                                     }
-                                                                    let _e1424 = phi_1800_;
-                                                                    phi_1801_ = _e1424;
+                                                                    let _e1605 = phi_2073_;
+                                                                    phi_2074_ = _e1605;
                                                                 }
-                                                                let _e1426 = phi_1801_;
-                                                                if _e1426 {
-                                                                    if _e1409 {
+                                                                let _e1607 = phi_2074_;
+                                                                if _e1607 {
+                                                                    if _e1590 {
                                                                     } else {
-                                                                        phi_3482_ = true;
+                                                                        phi_3755_ = true;
                                                                         break;
                                                                     }
-                                                                    let _e1427 = local_9[_e1404.member_1];
-                                                                    local_9[_e1404.member_1] = type_21(_e1389.member, _e1389.member_1, _e1389.member_2, _e1389.member_3);
-                                                                    phi_1822_ = type_21(_e1427.member, _e1427.member_1, _e1427.member_2, _e1427.member_3);
+                                                                    let _e1608 = local_9[_e1585.member_1];
+                                                                    local_9[_e1585.member_1] = type_21(_e1570.member, _e1570.member_1, _e1570.member_2, _e1570.member_3);
+                                                                    phi_2095_ = type_21(_e1608.member, _e1608.member_1, _e1608.member_2, _e1608.member_3);
                                                                 } else {
-                                                                    phi_1822_ = _e1389;
+                                                                    phi_2095_ = _e1570;
                                                                 }
-                                                                let _e1438 = phi_1822_;
-                                                                phi_1746_ = _e1438;
+                                                                let _e1619 = phi_2095_;
+                                                                phi_2019_ = _e1619;
                                                             } else {
-                                                                phi_1746_ = type_21();
+                                                                phi_2019_ = type_21();
                                                             }
-                                                            let _e1440 = phi_1746_;
+                                                            let _e1621 = phi_2019_;
                                                             continue;
                                                             continuing {
-                                                                phi_1742_ = _e1402;
-                                                                phi_1745_ = _e1440;
-                                                                phi_3482_ = _e1003;
-                                                                break if !(_e1408);
+                                                                phi_2015_ = _e1583;
+                                                                phi_2018_ = _e1621;
+                                                                phi_3755_ = _e1004;
+                                                                break if !(_e1589);
                                                             }
                                                         }
-                                                        let _e1443 = phi_3482_;
-                                                        phi_3738_ = _e1005;
-                                                        phi_3596_ = _e1443;
-                                                        if _e1443 {
+                                                        let _e1624 = phi_3755_;
+                                                        phi_4039_ = _e1006;
+                                                        phi_3897_ = _e1624;
+                                                        if _e1624 {
                                                             break;
                                                         }
-                                                        let _e1446 = local_9[7u].member_3;
-                                                        if (_e1446 != 4294967295u) {
-                                                            let _e1450 = local_9[7u].member;
-                                                            phi_3801_ = _e1450;
+                                                        let _e1627 = local_9[7u].member_3;
+                                                        if (_e1627 != 4294967295u) {
+                                                            let _e1631 = local_9[7u].member;
+                                                            phi_4130_ = _e1631;
                                                         } else {
-                                                            phi_3801_ = _e1005;
+                                                            phi_4130_ = _e1006;
                                                         }
-                                                        let _e1452 = phi_3801_;
-                                                        phi_3800_ = _e1452;
-                                                        phi_3599_ = _e1443;
+                                                        let _e1633 = phi_4130_;
+                                                        phi_4129_ = _e1633;
+                                                        phi_3900_ = _e1624;
                                                     } else {
-                                                        phi_3800_ = _e1005;
-                                                        phi_3599_ = _e1003;
+                                                        phi_4129_ = _e1006;
+                                                        phi_3900_ = _e1004;
                                                     }
-                                                    let _e1454 = phi_3800_;
-                                                    let _e1456 = phi_3599_;
-                                                    phi_3799_ = _e1454;
-                                                    phi_3598_ = _e1456;
+                                                    let _e1635 = phi_4129_;
+                                                    let _e1637 = phi_3900_;
+                                                    phi_4128_ = _e1635;
+                                                    phi_3899_ = _e1637;
                                                 } else {
-                                                    phi_3799_ = _e1005;
-                                                    phi_3598_ = _e1003;
+                                                    phi_4128_ = _e1006;
+                                                    phi_3899_ = _e1004;
                                                 }
-                                                let _e1458 = phi_3799_;
-                                                let _e1460 = phi_3598_;
-                                                phi_3798_ = _e1458;
-                                                phi_3597_ = _e1460;
+                                                let _e1639 = phi_4128_;
+                                                let _e1641 = phi_3899_;
+                                                phi_4127_ = _e1639;
+                                                phi_3898_ = _e1641;
                                             } else {
-                                                phi_3798_ = _e1005;
-                                                phi_3597_ = _e1003;
+                                                phi_4127_ = _e1006;
+                                                phi_3898_ = _e1004;
                                             }
-                                            let _e1462 = phi_3798_;
-                                            let _e1464 = phi_3597_;
+                                            let _e1643 = phi_4127_;
+                                            let _e1645 = phi_3898_;
                                             continue;
                                             continuing {
-                                                phi_3491_ = _e1464;
-                                                phi_3481_ = _e1462;
-                                                phi_1019_ = _e1020;
-                                                phi_3738_ = _e1462;
-                                                phi_3596_ = _e1464;
-                                                break if !(_e1026);
+                                                phi_3764_ = _e1645;
+                                                phi_3754_ = _e1643;
+                                                phi_1025_ = _e1021;
+                                                phi_4039_ = _e1643;
+                                                phi_3897_ = _e1645;
+                                                break if !(_e1027);
                                             }
                                         }
-                                        let _e1467 = phi_3738_;
-                                        let _e1469 = phi_3596_;
-                                        phi_3601_ = _e1469;
-                                        if _e1469 {
+                                        let _e1648 = phi_4039_;
+                                        let _e1650 = phi_3897_;
+                                        phi_3902_ = _e1650;
+                                        if _e1650 {
                                             break;
                                         }
-                                        phi_3703_ = _e1467;
-                                        phi_3605_ = _e1469;
-                                        phi_3039_ = _e538;
-                                        phi_3040_ = false;
-                                        phi_3041_ = _e542;
+                                        phi_4004_ = _e1648;
+                                        phi_3906_ = _e1650;
+                                        phi_3312_ = _e539;
+                                        phi_3313_ = false;
+                                        phi_3314_ = _e543;
                                     } else {
-                                        if (_e538.member_1 >= _e87) {
-                                            phi_2594_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e539.member_1 >= _e88) {
+                                            phi_2867_ = type_53(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_52(type_25(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e538.member_1 < _e87) {
+                                            if (_e539.member_1 < _e88) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e553 = (_e257 * 2u);
-                                            let _e555 = ((1u + _e553) % 7u);
-                                            if (_e555 < 7u) {
+                                            let _e554 = (_e258 * 2u);
+                                            let _e556 = ((1u + _e554) % 7u);
+                                            if (_e556 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e560 = global_5.member[_e538.member_1][_e555];
-                                            let _e562 = ((_e553 + 2u) % 7u);
-                                            if (_e562 < 7u) {
+                                            let _e561 = global_5.member[_e539.member_1][_e556];
+                                            let _e563 = ((_e554 + 2u) % 7u);
+                                            if (_e563 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e567 = global_5.member[_e538.member_1][_e562];
-                                            let _e568 = (_e256 * 2u);
-                                            let _e570 = ((1u + _e568) % 7u);
-                                            if (_e570 < 7u) {
+                                            let _e568 = global_5.member[_e539.member_1][_e563];
+                                            let _e569 = (_e257 * 2u);
+                                            let _e571 = ((1u + _e569) % 7u);
+                                            if (_e571 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e575 = global_5.member[_e538.member_1][_e570];
-                                            let _e577 = ((_e568 + 2u) % 7u);
-                                            if (_e577 < 7u) {
+                                            let _e576 = global_5.member[_e539.member_1][_e571];
+                                            let _e578 = ((_e569 + 2u) % 7u);
+                                            if (_e578 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e582 = global_5.member[_e538.member_1][_e577];
-                                            let _e583 = (_e258 * 2u);
-                                            let _e585 = ((1u + _e583) % 7u);
-                                            if (_e585 < 7u) {
+                                            let _e583 = global_5.member[_e539.member_1][_e578];
+                                            let _e584 = (_e259 * 2u);
+                                            let _e586 = ((1u + _e584) % 7u);
+                                            if (_e586 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e590 = global_5.member[_e538.member_1][_e585];
-                                            let _e592 = ((_e583 + 2u) % 7u);
-                                            if (_e592 < 7u) {
+                                            let _e591 = global_5.member[_e539.member_1][_e586];
+                                            let _e593 = ((_e584 + 2u) % 7u);
+                                            if (_e593 < 7u) {
                                             } else {
-                                                phi_3601_ = true;
+                                                phi_3902_ = true;
                                                 break;
                                             }
-                                            let _e597 = global_5.member[_e538.member_1][_e592];
-                                            let _e620 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                            let _e624 = select(_e137, _e620, (_e620 > _e137));
-                                            let _e626 = select(_e137, _e621, (_e621 > _e137));
-                                            let _e628 = select(_e137, _e622, (_e622 > _e137));
-                                            let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
-                                            let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                            let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
-                                            let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                            let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
-                                            let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                            let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                            let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                            let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                            let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
-                                            let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                            let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
-                                            let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                            let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                            let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                            let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                            let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                            let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                            let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                            let _e760 = global_5.member[_e538.member_1][0u];
-                                            let _e764 = global_5.member[_e538.member_1][2u];
-                                            let _e768 = global_5.member[_e538.member_1][4u];
-                                            let _e772 = global_5.member[_e538.member_1][6u];
-                                            let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e785 = (_e760 & 268435455u);
-                                            let _e786 = (_e784 & 268435455u);
-                                            let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
-                                            let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e798 = (_e789 != 0u);
-                                            if (_e789 == 0u) {
-                                                phi_2556_ = _e785;
+                                            let _e598 = global_5.member[_e539.member_1][_e593];
+                                            let _e621 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.x - _e539.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e622 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.y - _e539.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e623 = (bitcast<f32>((bitcast<u32>((_e539.member.member_1.z - _e539.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                            let _e625 = select(_e138, _e621, (_e621 > _e138));
+                                            let _e627 = select(_e138, _e622, (_e622 > _e138));
+                                            let _e629 = select(_e138, _e623, (_e623 > _e138));
+                                            let _e654 = bitcast<u32>((f32(bitcast<i32>((_e561 & 2097151u))) * _e625));
+                                            let _e659 = (bitcast<i32>((_e561 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
+                                            let _e663 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e627));
+                                            let _e668 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
+                                            let _e672 = bitcast<u32>((f32(bitcast<i32>((_e591 & 2097151u))) * _e629));
+                                            let _e677 = (bitcast<i32>((_e591 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e680 = bitcast<f32>((_e672 & bitcast<u32>(_e677)));
+                                            let _e684 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
+                                            let _e688 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
+                                            let _e692 = bitcast<f32>((_e672 & bitcast<u32>(~(_e677))));
+                                            let _e693 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e625));
+                                            let _e698 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
+                                            let _e702 = bitcast<u32>((f32(bitcast<i32>((_e583 & 2097151u))) * _e627));
+                                            let _e707 = (bitcast<i32>((_e583 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
+                                            let _e711 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e629));
+                                            let _e716 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                            let _e719 = bitcast<f32>((_e711 & bitcast<u32>(_e716)));
+                                            let _e723 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
+                                            let _e727 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
+                                            let _e731 = bitcast<f32>((_e711 & bitcast<u32>(~(_e716))));
+                                            let _e761 = global_5.member[_e539.member_1][0u];
+                                            let _e765 = global_5.member[_e539.member_1][2u];
+                                            let _e769 = global_5.member[_e539.member_1][4u];
+                                            let _e773 = global_5.member[_e539.member_1][6u];
+                                            let _e785 = (((_e765 >> bitcast<u32>(22i)) | ((_e769 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e773 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e786 = (_e761 & 268435455u);
+                                            let _e787 = (_e785 & 268435455u);
+                                            let _e790 = ((_e761 >> bitcast<u32>(28u)) & 7u);
+                                            let _e798 = ((_e761 >> bitcast<u32>(31i)) | (((_e785 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e799 = (_e790 != 0u);
+                                            if (_e790 == 0u) {
+                                                phi_2829_ = _e786;
                                             } else {
-                                                if (_e789 == 7u) {
-                                                    phi_2555_ = 2147483648u;
+                                                if (_e790 == 7u) {
+                                                    phi_2828_ = 2147483648u;
                                                 } else {
-                                                    phi_2555_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
+                                                    phi_2828_ = ((2147483648u | (_e790 << bitcast<u32>(28u))) | (_e787 & 268435455u));
                                                 }
-                                                let _e807 = phi_2555_;
-                                                phi_2556_ = _e807;
+                                                let _e808 = phi_2828_;
+                                                phi_2829_ = _e808;
                                             }
-                                            let _e809 = phi_2556_;
-                                            if _e798 {
-                                                let _e810 = (_e789 != 7u);
-                                                if _e810 {
-                                                    phi_2566_ = (_e786 + _e789);
+                                            let _e810 = phi_2829_;
+                                            if _e799 {
+                                                let _e811 = (_e790 != 7u);
+                                                if _e811 {
+                                                    phi_2839_ = (_e787 + _e790);
                                                 } else {
-                                                    phi_2566_ = u32();
+                                                    phi_2839_ = u32();
                                                 }
-                                                let _e813 = phi_2566_;
-                                                phi_2568_ = _e813;
-                                                phi_2569_ = select(true, false, _e810);
+                                                let _e814 = phi_2839_;
+                                                phi_2841_ = _e814;
+                                                phi_2842_ = select(true, false, _e811);
                                             } else {
-                                                phi_2568_ = u32();
-                                                phi_2569_ = true;
+                                                phi_2841_ = u32();
+                                                phi_2842_ = true;
                                             }
-                                            let _e816 = phi_2568_;
-                                            let _e818 = phi_2569_;
-                                            if (_e797 == 0u) {
-                                                phi_2590_ = (_e785 + select(0u, 1u, !(_e798)));
+                                            let _e817 = phi_2841_;
+                                            let _e819 = phi_2842_;
+                                            if (_e798 == 0u) {
+                                                phi_2863_ = (_e786 + select(0u, 1u, !(_e799)));
                                             } else {
-                                                if (_e797 == 7u) {
-                                                    phi_2589_ = 2147483648u;
+                                                if (_e798 == 7u) {
+                                                    phi_2862_ = 2147483648u;
                                                 } else {
-                                                    phi_2589_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
+                                                    phi_2862_ = ((2147483648u | (_e798 << bitcast<u32>(28u))) | (select(_e817, _e787, _e819) & 268435455u));
                                                 }
-                                                let _e831 = phi_2589_;
-                                                phi_2590_ = _e831;
+                                                let _e832 = phi_2862_;
+                                                phi_2863_ = _e832;
                                             }
-                                            let _e833 = phi_2590_;
-                                            phi_2594_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e538.member.member.x + _e661), (_e538.member.member.x + _e683), (_e538.member.member_1.x - _e700), (_e538.member.member_1.x - _e722)), vec4<f32>((_e538.member.member.y + _e670), (_e538.member.member.y + _e687), (_e538.member.member_1.y - _e709), (_e538.member.member_1.y - _e726)), vec4<f32>((_e538.member.member.z + _e679), (_e538.member.member.z + _e691), (_e538.member.member_1.z - _e718), (_e538.member.member_1.z - _e730))), type_52(type_25((_e538.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e538.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_52(type_25((_e538.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e538.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
+                                            let _e834 = phi_2863_;
+                                            phi_2867_ = type_53(array<vec4<f32>, 3>(vec4<f32>((_e539.member.member.x + _e662), (_e539.member.member.x + _e684), (_e539.member.member_1.x - _e701), (_e539.member.member_1.x - _e723)), vec4<f32>((_e539.member.member.y + _e671), (_e539.member.member.y + _e688), (_e539.member.member_1.y - _e710), (_e539.member.member_1.y - _e727)), vec4<f32>((_e539.member.member.z + _e680), (_e539.member.member.z + _e692), (_e539.member.member_1.z - _e719), (_e539.member.member_1.z - _e731))), type_52(type_25((_e539.member.member + vec4<f32>(_e662, _e671, _e680, 0f)), (_e539.member.member_1 - vec4<f32>(_e701, _e710, _e719, 0f))), _e810), type_52(type_25((_e539.member.member + vec4<f32>(_e684, _e688, _e692, 0f)), (_e539.member.member_1 - vec4<f32>(_e723, _e727, _e731, 0f))), _e834));
                                         }
-                                        let _e838 = phi_2594_;
-                                        let _e849 = ((_e838.member[0].x - _e329) * _e334);
-                                        let _e850 = ((_e838.member[0].y - _e329) * _e334);
-                                        let _e851 = ((_e838.member[0].z - _e330) * _e334);
-                                        let _e852 = ((_e838.member[0].w - _e330) * _e334);
-                                        let _e862 = ((_e838.member[1].x - _e367) * _e372);
-                                        let _e863 = ((_e838.member[1].y - _e367) * _e372);
-                                        let _e864 = ((_e838.member[1].z - _e368) * _e372);
-                                        let _e865 = ((_e838.member[1].w - _e368) * _e372);
-                                        let _e875 = ((_e838.member[2].x - _e405) * _e410);
-                                        let _e876 = ((_e838.member[2].y - _e405) * _e410);
-                                        let _e877 = ((_e838.member[2].z - _e406) * _e410);
-                                        let _e878 = ((_e838.member[2].w - _e406) * _e410);
-                                        let _e880 = select(_e877, _e875, (_e875 < _e877));
-                                        let _e882 = select(_e878, _e876, (_e876 < _e878));
-                                        let _e884 = select(_e877, _e875, (_e875 > _e877));
-                                        let _e886 = select(_e878, _e876, (_e876 > _e878));
-                                        let _e888 = select(_e851, _e849, (_e849 < _e851));
-                                        let _e890 = select(_e852, _e850, (_e850 < _e852));
-                                        let _e892 = select(_e864, _e862, (_e862 < _e864));
-                                        let _e894 = select(_e865, _e863, (_e863 < _e865));
-                                        let _e896 = select(_e892, _e888, (_e888 > _e892));
-                                        let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                        let _e900 = select(_e880, _e896, (_e896 > _e880));
-                                        let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                        let _e904 = select(_e851, _e849, (_e849 > _e851));
-                                        let _e906 = select(_e852, _e850, (_e850 > _e852));
-                                        let _e908 = select(_e864, _e862, (_e862 > _e864));
-                                        let _e910 = select(_e865, _e863, (_e863 > _e865));
-                                        let _e912 = select(_e908, _e904, (_e904 < _e908));
-                                        let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                        let _e919 = -(_e880);
-                                        let _e920 = -(_e882);
-                                        let _e927 = (select(_e884, _e912, (_e912 < _e884)) + (select(_e919, _e884, (_e884 > _e919)) * 0.0000019073523f));
-                                        let _e928 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e920, _e886, (_e886 > _e920)) * 0.0000019073523f));
-                                        let _e930 = select(_e457, _e900, (_e900 > _e457));
-                                        let _e932 = select(_e457, _e902, (_e902 > _e457));
-                                        let _e937 = (_e930 <= select(_e500, _e927, (_e927 < _e500)));
-                                        let _e938 = (_e932 <= select(_e500, _e928, (_e928 < _e500)));
-                                        let _e939 = (_e930 <= _e932);
-                                        if _e937 {
+                                        let _e839 = phi_2867_;
+                                        let _e850 = ((_e839.member[0].x - _e330) * _e335);
+                                        let _e851 = ((_e839.member[0].y - _e330) * _e335);
+                                        let _e852 = ((_e839.member[0].z - _e331) * _e335);
+                                        let _e853 = ((_e839.member[0].w - _e331) * _e335);
+                                        let _e863 = ((_e839.member[1].x - _e368) * _e373);
+                                        let _e864 = ((_e839.member[1].y - _e368) * _e373);
+                                        let _e865 = ((_e839.member[1].z - _e369) * _e373);
+                                        let _e866 = ((_e839.member[1].w - _e369) * _e373);
+                                        let _e876 = ((_e839.member[2].x - _e406) * _e411);
+                                        let _e877 = ((_e839.member[2].y - _e406) * _e411);
+                                        let _e878 = ((_e839.member[2].z - _e407) * _e411);
+                                        let _e879 = ((_e839.member[2].w - _e407) * _e411);
+                                        let _e881 = select(_e878, _e876, (_e876 < _e878));
+                                        let _e883 = select(_e879, _e877, (_e877 < _e879));
+                                        let _e885 = select(_e878, _e876, (_e876 > _e878));
+                                        let _e887 = select(_e879, _e877, (_e877 > _e879));
+                                        let _e889 = select(_e852, _e850, (_e850 < _e852));
+                                        let _e891 = select(_e853, _e851, (_e851 < _e853));
+                                        let _e893 = select(_e865, _e863, (_e863 < _e865));
+                                        let _e895 = select(_e866, _e864, (_e864 < _e866));
+                                        let _e897 = select(_e893, _e889, (_e889 > _e893));
+                                        let _e899 = select(_e895, _e891, (_e891 > _e895));
+                                        let _e901 = select(_e881, _e897, (_e897 > _e881));
+                                        let _e903 = select(_e883, _e899, (_e899 > _e883));
+                                        let _e905 = select(_e852, _e850, (_e850 > _e852));
+                                        let _e907 = select(_e853, _e851, (_e851 > _e853));
+                                        let _e909 = select(_e865, _e863, (_e863 > _e865));
+                                        let _e911 = select(_e866, _e864, (_e864 > _e866));
+                                        let _e913 = select(_e909, _e905, (_e905 < _e909));
+                                        let _e915 = select(_e911, _e907, (_e907 < _e911));
+                                        let _e920 = -(_e881);
+                                        let _e921 = -(_e883);
+                                        let _e928 = (select(_e885, _e913, (_e913 < _e885)) + (select(_e920, _e885, (_e885 > _e920)) * 0.0000019073523f));
+                                        let _e929 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e921, _e887, (_e887 > _e921)) * 0.0000019073523f));
+                                        let _e931 = select(_e458, _e901, (_e901 > _e458));
+                                        let _e933 = select(_e458, _e903, (_e903 > _e458));
+                                        let _e938 = (_e931 <= select(_e501, _e928, (_e928 < _e501)));
+                                        let _e939 = (_e933 <= select(_e501, _e929, (_e929 < _e501)));
+                                        let _e940 = (_e931 <= _e933);
+                                        if _e938 {
+                                            if _e939 {
+                                                if _e940 {
+                                                    phi_3212_ = _e839.member_2;
+                                                } else {
+                                                    phi_3212_ = _e839.member_1;
+                                                }
+                                                let _e944 = phi_3212_;
+                                                let _e966 = (_e543 % 128u);
+                                                let _e967 = (_e966 < 128u);
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_8[_e966] = _e944.member_1;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_7[_e966] = _e944.member.member.x;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_6[_e966] = _e944.member.member.y;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_5[_e966] = _e944.member.member.z;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_4[_e966] = _e944.member.member_1.x;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_3[_e966] = _e944.member.member_1.y;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_2[_e966] = _e944.member.member_1.z;
+                                                if _e967 {
+                                                } else {
+                                                    phi_3902_ = true;
+                                                    break;
+                                                }
+                                                local_10[_e966] = select(_e933, _e931, (_e931 > _e933));
+                                                if _e940 {
+                                                    phi_3289_ = _e839.member_1;
+                                                } else {
+                                                    phi_3289_ = _e839.member_2;
+                                                }
+                                                let _e980 = phi_3289_;
+                                                phi_3290_ = _e980;
+                                                phi_3291_ = (_e543 + 1u);
+                                            } else {
+                                                phi_3290_ = type_52();
+                                                phi_3291_ = u32();
+                                            }
+                                            let _e982 = phi_3290_;
+                                            let _e984 = phi_3291_;
+                                            phi_3293_ = _e982;
+                                            phi_3294_ = _e984;
+                                            phi_3295_ = select(true, false, _e939);
+                                        } else {
+                                            phi_3293_ = type_52();
+                                            phi_3294_ = u32();
+                                            phi_3295_ = true;
+                                        }
+                                        let _e987 = phi_3293_;
+                                        let _e989 = phi_3294_;
+                                        let _e991 = phi_3295_;
+                                        if _e991 {
                                             if _e938 {
-                                                if _e939 {
-                                                    phi_2939_ = _e838.member_2;
-                                                } else {
-                                                    phi_2939_ = _e838.member_1;
-                                                }
-                                                let _e943 = phi_2939_;
-                                                let _e965 = (_e542 % 128u);
-                                                let _e966 = (_e965 < 128u);
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_8[_e965] = _e943.member_1;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_7[_e965] = _e943.member.member.x;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_6[_e965] = _e943.member.member.y;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_5[_e965] = _e943.member.member.z;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_4[_e965] = _e943.member.member_1.x;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_3[_e965] = _e943.member.member_1.y;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_2[_e965] = _e943.member.member_1.z;
-                                                if _e966 {
-                                                } else {
-                                                    phi_3601_ = true;
-                                                    break;
-                                                }
-                                                local_10[_e965] = select(_e932, _e930, (_e930 > _e932));
-                                                if _e939 {
-                                                    phi_3016_ = _e838.member_1;
-                                                } else {
-                                                    phi_3016_ = _e838.member_2;
-                                                }
-                                                let _e979 = phi_3016_;
-                                                phi_3017_ = _e979;
-                                                phi_3018_ = (_e542 + 1u);
+                                                phi_3304_ = _e839.member_1;
                                             } else {
-                                                phi_3017_ = type_52();
-                                                phi_3018_ = u32();
+                                                phi_3304_ = _e839.member_2;
                                             }
-                                            let _e981 = phi_3017_;
-                                            let _e983 = phi_3018_;
-                                            phi_3020_ = _e981;
-                                            phi_3021_ = _e983;
-                                            phi_3022_ = select(true, false, _e938);
+                                            let _e995 = phi_3304_;
+                                            phi_3309_ = _e995;
+                                            phi_3310_ = select(_e939, true, _e938);
                                         } else {
-                                            phi_3020_ = type_52();
-                                            phi_3021_ = u32();
-                                            phi_3022_ = true;
+                                            phi_3309_ = _e987;
+                                            phi_3310_ = _e541;
                                         }
-                                        let _e986 = phi_3020_;
-                                        let _e988 = phi_3021_;
-                                        let _e990 = phi_3022_;
-                                        if _e990 {
-                                            if _e937 {
-                                                phi_3031_ = _e838.member_1;
-                                            } else {
-                                                phi_3031_ = _e838.member_2;
-                                            }
-                                            let _e994 = phi_3031_;
-                                            phi_3036_ = _e994;
-                                            phi_3037_ = select(_e938, true, _e937);
-                                        } else {
-                                            phi_3036_ = _e986;
-                                            phi_3037_ = _e540;
-                                        }
-                                        let _e997 = phi_3036_;
-                                        let _e999 = phi_3037_;
-                                        phi_3703_ = _e500;
-                                        phi_3605_ = _e498;
-                                        phi_3039_ = _e997;
-                                        phi_3040_ = _e999;
-                                        phi_3041_ = select(_e988, _e542, _e990);
+                                        let _e998 = phi_3309_;
+                                        let _e1000 = phi_3310_;
+                                        phi_4004_ = _e501;
+                                        phi_3906_ = _e499;
+                                        phi_3312_ = _e998;
+                                        phi_3313_ = _e1000;
+                                        phi_3314_ = select(_e989, _e543, _e991);
                                     }
-                                    let _e1471 = phi_3703_;
-                                    let _e1473 = phi_3605_;
-                                    let _e1475 = phi_3039_;
-                                    let _e1477 = phi_3040_;
-                                    let _e1479 = phi_3041_;
-                                    phi_3702_ = _e1471;
-                                    phi_3604_ = _e1473;
-                                    phi_3042_ = _e1475;
-                                    phi_3043_ = (_e504 - 1u);
-                                    phi_3044_ = _e1477;
-                                    phi_3045_ = _e1479;
+                                    let _e1652 = phi_4004_;
+                                    let _e1654 = phi_3906_;
+                                    let _e1656 = phi_3312_;
+                                    let _e1658 = phi_3313_;
+                                    let _e1660 = phi_3314_;
+                                    phi_4003_ = _e1652;
+                                    phi_3905_ = _e1654;
+                                    phi_3315_ = _e1656;
+                                    phi_3316_ = (_e505 - 1u);
+                                    phi_3317_ = _e1658;
+                                    phi_3318_ = _e1660;
                                 } else {
-                                    phi_3702_ = _e500;
-                                    phi_3604_ = _e498;
-                                    phi_3042_ = _e538;
-                                    phi_3043_ = _e504;
-                                    phi_3044_ = _e540;
-                                    phi_3045_ = _e542;
+                                    phi_4003_ = _e501;
+                                    phi_3905_ = _e499;
+                                    phi_3315_ = _e539;
+                                    phi_3316_ = _e505;
+                                    phi_3317_ = _e541;
+                                    phi_3318_ = _e543;
                                 }
-                                let _e1481 = phi_3702_;
-                                let _e1483 = phi_3604_;
-                                let _e1485 = phi_3042_;
-                                let _e1487 = phi_3043_;
-                                let _e1489 = phi_3044_;
-                                let _e1491 = phi_3045_;
-                                phi_3701_ = _e1481;
-                                phi_3603_ = _e1483;
-                                phi_3046_ = _e1485;
-                                phi_3047_ = _e1487;
-                                phi_3048_ = _e1489;
-                                phi_3049_ = _e1491;
+                                let _e1662 = phi_4003_;
+                                let _e1664 = phi_3905_;
+                                let _e1666 = phi_3315_;
+                                let _e1668 = phi_3316_;
+                                let _e1670 = phi_3317_;
+                                let _e1672 = phi_3318_;
+                                phi_4002_ = _e1662;
+                                phi_3904_ = _e1664;
+                                phi_3319_ = _e1666;
+                                phi_3320_ = _e1668;
+                                phi_3321_ = _e1670;
+                                phi_3322_ = _e1672;
                             } else {
-                                phi_3701_ = _e500;
-                                phi_3603_ = _e498;
-                                phi_3046_ = type_52();
-                                phi_3047_ = u32();
-                                phi_3048_ = bool();
-                                phi_3049_ = u32();
+                                phi_4002_ = _e501;
+                                phi_3904_ = _e499;
+                                phi_3319_ = type_52();
+                                phi_3320_ = u32();
+                                phi_3321_ = bool();
+                                phi_3322_ = u32();
                             }
-                            let _e1493 = phi_3701_;
-                            let _e1495 = phi_3603_;
-                            let _e1497 = phi_3046_;
-                            let _e1499 = phi_3047_;
-                            let _e1501 = phi_3048_;
-                            let _e1503 = phi_3049_;
-                            phi_3700_ = _e1493;
-                            phi_3602_ = _e1495;
-                            phi_895_ = _e1497;
-                            phi_898_ = _e1499;
-                            phi_900_ = _e1501;
-                            phi_902_ = _e1503;
-                            phi_3050_ = _e512;
+                            let _e1674 = phi_4002_;
+                            let _e1676 = phi_3904_;
+                            let _e1678 = phi_3319_;
+                            let _e1680 = phi_3320_;
+                            let _e1682 = phi_3321_;
+                            let _e1684 = phi_3322_;
+                            phi_4001_ = _e1674;
+                            phi_3903_ = _e1676;
+                            phi_901_ = _e1678;
+                            phi_904_ = _e1680;
+                            phi_906_ = _e1682;
+                            phi_908_ = _e1684;
+                            phi_3323_ = _e513;
                         } else {
-                            phi_3700_ = _e500;
-                            phi_3602_ = _e498;
-                            phi_895_ = type_52();
-                            phi_898_ = u32();
-                            phi_900_ = bool();
-                            phi_902_ = u32();
-                            phi_3050_ = false;
+                            phi_4001_ = _e501;
+                            phi_3903_ = _e499;
+                            phi_901_ = type_52();
+                            phi_904_ = u32();
+                            phi_906_ = bool();
+                            phi_908_ = u32();
+                            phi_3323_ = false;
                         }
-                        let _e1505 = phi_3700_;
-                        let _e1507 = phi_3602_;
-                        let _e1509 = phi_895_;
-                        let _e1511 = phi_898_;
-                        let _e1513 = phi_900_;
-                        let _e1515 = phi_902_;
-                        let _e1517 = phi_3050_;
+                        let _e1686 = phi_4001_;
+                        let _e1688 = phi_3903_;
+                        let _e1690 = phi_901_;
+                        let _e1692 = phi_904_;
+                        let _e1694 = phi_906_;
+                        let _e1696 = phi_908_;
+                        let _e1698 = phi_3323_;
                         continue;
                         continuing {
-                            phi_3494_ = _e1507;
-                            phi_3422_ = _e1505;
-                            phi_894_ = _e1509;
-                            phi_897_ = _e1511;
-                            phi_899_ = _e1513;
-                            phi_901_ = _e1515;
-                            phi_3601_ = _e1507;
-                            break if !(_e1517);
+                            phi_3767_ = _e1688;
+                            phi_3695_ = _e1686;
+                            phi_900_ = _e1690;
+                            phi_903_ = _e1692;
+                            phi_905_ = _e1694;
+                            phi_907_ = _e1696;
+                            phi_3902_ = _e1688;
+                            break if !(_e1698);
                         }
                     }
-                    let _e1520 = phi_3601_;
-                    if _e1520 {
+                    let _e1701 = phi_3902_;
+                    if _e1701 {
                         break;
                     }
-                    phi_3057_ = type_4(0u, 8u);
+                    phi_3330_ = type_4(0u, 8u);
                     loop {
-                        let _e1522 = phi_3057_;
-                        if (_e1522.member < _e1522.member_1) {
-                            phi_3058_ = type_4((_e1522.member + 1u), _e1522.member_1);
-                            phi_3081_ = type_4(1u, _e1522.member);
+                        let _e1703 = phi_3330_;
+                        if (_e1703.member < _e1703.member_1) {
+                            phi_3331_ = type_4((_e1703.member + 1u), _e1703.member_1);
+                            phi_3354_ = type_4(1u, _e1703.member);
                         } else {
-                            phi_3058_ = _e1522;
-                            phi_3081_ = type_4(0u, type_4().member_1);
+                            phi_3331_ = _e1703;
+                            phi_3354_ = type_4(0u, type_4().member_1);
                         }
-                        let _e1535 = phi_3058_;
-                        let _e1537 = phi_3081_;
-                        let _e1541 = (bitcast<i32>(_e1537.member) != 0i);
-                        if _e1541 {
-                            let _e1542 = (_e1537.member_1 < 8u);
-                            if _e1542 {
+                        let _e1716 = phi_3331_;
+                        let _e1718 = phi_3354_;
+                        let _e1722 = (bitcast<i32>(_e1718.member) != 0i);
+                        if _e1722 {
+                            let _e1723 = (_e1718.member_1 < 8u);
+                            if _e1723 {
                             } else {
-                                phi_3693_ = true;
+                                phi_3994_ = true;
                                 break;
                             }
-                            let _e1544 = local_9[_e1537.member_1];
-                            if (_e1544.member_3 != 4294967295u) {
-                                let _e1550 = -(_e424);
-                                let _e1551 = (_e1550 / 3i);
-                                let _e1558 = bitcast<f32>((bitcast<u32>((_e1551 + 127i)) << bitcast<u32>(23i)));
-                                let _e1566 = (((_e1544.member * _e1558) * _e1558) * bitcast<f32>((bitcast<u32>(((_e1550 - (2i * _e1551)) + 127i)) << bitcast<u32>(23i))));
-                                let _e1568 = select(340282350000000000000000000000000000000f, _e1566, (_e1566 < 340282350000000000000000000000000000000f));
-                                phi_3147_ = type_21(select(-340282350000000000000000000000000000000f, _e1568, (_e1568 > -340282350000000000000000000000000000000f)), _e1544.member_1, _e1544.member_2, _e1544.member_3);
+                            let _e1725 = local_9[_e1718.member_1];
+                            if (_e1725.member_3 != 4294967295u) {
+                                let _e1731 = -(_e425);
+                                let _e1732 = (_e1731 / 3i);
+                                let _e1739 = bitcast<f32>((bitcast<u32>((_e1732 + 127i)) << bitcast<u32>(23i)));
+                                let _e1747 = (((_e1725.member * _e1739) * _e1739) * bitcast<f32>((bitcast<u32>(((_e1731 - (2i * _e1732)) + 127i)) << bitcast<u32>(23i))));
+                                let _e1749 = select(340282350000000000000000000000000000000f, _e1747, (_e1747 < 340282350000000000000000000000000000000f));
+                                phi_3420_ = type_21(select(-340282350000000000000000000000000000000f, _e1749, (_e1749 > -340282350000000000000000000000000000000f)), _e1725.member_1, _e1725.member_2, _e1725.member_3);
                             } else {
-                                phi_3147_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                phi_3420_ = type_21(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                             }
-                            let _e1573 = phi_3147_;
-                            if _e1542 {
+                            let _e1754 = phi_3420_;
+                            if _e1723 {
                             } else {
-                                phi_3693_ = true;
+                                phi_3994_ = true;
                                 break;
                             }
-                            local_9[_e1537.member_1] = type_21(_e1573.member, _e1573.member_1, _e1573.member_2, _e1573.member_3);
+                            local_9[_e1718.member_1] = type_21(_e1754.member, _e1754.member_1, _e1754.member_2, _e1754.member_3);
                         }
                         continue;
                         continuing {
-                            phi_3057_ = _e1535;
-                            phi_3693_ = _e1520;
-                            break if !(_e1541);
+                            phi_3330_ = _e1716;
+                            phi_3994_ = _e1701;
+                            break if !(_e1722);
                         }
                     }
-                    let _e1581 = phi_3693_;
-                    if _e1581 {
+                    let _e1762 = phi_3994_;
+                    if _e1762 {
                         break;
                     }
-                    let _e1582 = local_9;
-                    if _e145 {
+                    let _e1763 = local_9;
+                    if _e146 {
                     } else {
                         break;
                     }
-                    global_6.member[_e143] = array<type_21, 8>(type_21(_e1582[0].member, _e1582[0].member_1, _e1582[0].member_2, _e1582[0].member_3), type_21(_e1582[1].member, _e1582[1].member_1, _e1582[1].member_2, _e1582[1].member_3), type_21(_e1582[2].member, _e1582[2].member_1, _e1582[2].member_2, _e1582[2].member_3), type_21(_e1582[3].member, _e1582[3].member_1, _e1582[3].member_2, _e1582[3].member_3), type_21(_e1582[4].member, _e1582[4].member_1, _e1582[4].member_2, _e1582[4].member_3), type_21(_e1582[5].member, _e1582[5].member_1, _e1582[5].member_2, _e1582[5].member_3), type_21(_e1582[6].member, _e1582[6].member_1, _e1582[6].member_2, _e1582[6].member_3), type_21(_e1582[7].member, _e1582[7].member_1, _e1582[7].member_2, _e1582[7].member_3));
+                    global_6.member[_e144] = array<type_21, 8>(type_21(_e1763[0].member, _e1763[0].member_1, _e1763[0].member_2, _e1763[0].member_3), type_21(_e1763[1].member, _e1763[1].member_1, _e1763[1].member_2, _e1763[1].member_3), type_21(_e1763[2].member, _e1763[2].member_1, _e1763[2].member_2, _e1763[2].member_3), type_21(_e1763[3].member, _e1763[3].member_1, _e1763[3].member_2, _e1763[3].member_3), type_21(_e1763[4].member, _e1763[4].member_1, _e1763[4].member_2, _e1763[4].member_3), type_21(_e1763[5].member, _e1763[5].member_1, _e1763[5].member_2, _e1763[5].member_3), type_21(_e1763[6].member, _e1763[6].member_1, _e1763[6].member_2, _e1763[6].member_3), type_21(_e1763[7].member, _e1763[7].member_1, _e1763[7].member_2, _e1763[7].member_3));
                 }
             }
             break;

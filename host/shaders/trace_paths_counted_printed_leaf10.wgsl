@@ -113,368 +113,385 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_340_: i32;
-    var phi_341_: i32;
-    var phi_351_: bool;
-    var phi_361_: u32;
-    var phi_362_: u32;
-    var phi_364_: bool;
-    var phi_369_: u32;
-    var phi_401_: i32;
-    var phi_419_: f32;
-    var phi_425_: f32;
-    var phi_436_: f32;
-    var phi_442_: f32;
-    var phi_465_: f32;
-    var phi_476_: f32;
-    var phi_485_: f32;
-    var phi_491_: f32;
-    var phi_502_: f32;
-    var phi_508_: f32;
-    var phi_531_: f32;
-    var phi_542_: f32;
-    var phi_551_: f32;
-    var phi_557_: f32;
-    var phi_568_: f32;
-    var phi_574_: f32;
-    var phi_597_: f32;
-    var phi_608_: f32;
-    var phi_708_: f32;
-    var phi_709_: f32;
-    var phi_3017_: bool;
-    var phi_791_: type_36;
-    var phi_794_: type_53;
-    var phi_796_: u32;
-    var phi_798_: bool;
-    var phi_800_: u32;
-    var phi_811_: bool;
-    var phi_897_: type_53;
-    var phi_898_: bool;
-    var phi_899_: u32;
-    var phi_1856_: type_40;
-    var phi_2688_: type_53;
-    var phi_2765_: type_53;
-    var phi_2766_: type_53;
-    var phi_2767_: u32;
-    var phi_2769_: type_53;
-    var phi_2770_: u32;
-    var phi_2771_: bool;
-    var phi_2778_: type_53;
-    var phi_2783_: type_53;
-    var phi_2784_: bool;
-    var phi_918_: type_36;
-    var phi_921_: type_7;
-    var phi_922_: type_7;
-    var phi_944_: type_7;
-    var phi_972_: u32;
-    var phi_988_: type_47;
-    var phi_1694_: vec3<f32>;
-    var phi_1695_: vec3<f32>;
-    var phi_1726_: bool;
-    var phi_1735_: vec3<f32>;
-    var phi_1775_: type_19;
-    var phi_1777_: type_19;
-    var phi_1778_: bool;
-    var phi_1782_: type_19;
-    var phi_1783_: type_19;
-    var phi_1784_: type_19;
-    var phi_1785_: bool;
-    var phi_1789_: type_19;
-    var phi_1790_: bool;
-    var phi_1794_: type_19;
-    var phi_1795_: bool;
-    var phi_1799_: type_19;
-    var phi_1824_: bool;
-    var phi_1825_: bool;
-    var phi_1832_: type_36;
-    var phi_1833_: type_36;
-    var phi_1834_: type_36;
-    var phi_919_: type_36;
-    var phi_3011_: bool;
-    var phi_3147_: bool;
-    var phi_2786_: type_36;
-    var phi_2787_: type_53;
-    var phi_2788_: bool;
-    var phi_2789_: u32;
-    var phi_3146_: bool;
-    var phi_2790_: type_36;
-    var phi_2791_: type_53;
-    var phi_2792_: u32;
-    var phi_2793_: bool;
-    var phi_2794_: u32;
-    var phi_3145_: bool;
-    var phi_2795_: type_36;
-    var phi_2796_: type_53;
-    var phi_2797_: u32;
-    var phi_2798_: bool;
-    var phi_2799_: u32;
-    var phi_3144_: bool;
-    var phi_792_: type_36;
-    var phi_795_: type_53;
-    var phi_797_: u32;
-    var phi_799_: bool;
+    var phi_345_: i32;
+    var phi_346_: i32;
+    var phi_356_: bool;
+    var phi_366_: u32;
+    var phi_367_: u32;
+    var phi_369_: bool;
+    var phi_374_: u32;
+    var phi_406_: i32;
+    var phi_424_: f32;
+    var phi_430_: f32;
+    var phi_441_: f32;
+    var phi_447_: f32;
+    var phi_470_: f32;
+    var phi_481_: f32;
+    var phi_490_: f32;
+    var phi_496_: f32;
+    var phi_507_: f32;
+    var phi_513_: f32;
+    var phi_536_: f32;
+    var phi_547_: f32;
+    var phi_556_: f32;
+    var phi_562_: f32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_602_: f32;
+    var phi_613_: f32;
+    var phi_713_: f32;
+    var phi_714_: f32;
+    var phi_3289_: bool;
+    var phi_796_: type_36;
+    var phi_799_: type_53;
     var phi_801_: u32;
-    var phi_2800_: bool;
-    var phi_3143_: bool;
+    var phi_803_: bool;
+    var phi_805_: u32;
+    var phi_816_: bool;
+    var phi_902_: type_53;
+    var phi_903_: bool;
+    var phi_904_: u32;
+    var phi_2128_: type_40;
+    var phi_2960_: type_53;
+    var phi_3037_: type_53;
+    var phi_3038_: type_53;
+    var phi_3039_: u32;
+    var phi_3041_: type_53;
+    var phi_3042_: u32;
+    var phi_3043_: bool;
+    var phi_3050_: type_53;
+    var phi_3055_: type_53;
+    var phi_3056_: bool;
+    var phi_923_: type_36;
+    var phi_926_: type_7;
+    var phi_927_: type_7;
+    var phi_949_: type_7;
+    var phi_977_: u32;
+    var phi_993_: type_47;
+    var phi_1369_: bool;
+    var phi_1398_: bool;
+    var phi_1775_: f32;
+    var phi_1776_: f32;
+    var phi_1777_: f32;
+    var phi_1778_: f32;
+    var phi_1779_: vec3<f32>;
+    var phi_1780_: vec3<f32>;
+    var phi_1781_: vec3<f32>;
+    var phi_1782_: vec3<f32>;
+    var phi_1813_: bool;
+    var phi_1822_: vec3<f32>;
+    var phi_1989_: bool;
+    var phi_2013_: f32;
+    var phi_2014_: f32;
+    var phi_2037_: type_19;
+    var phi_2039_: type_19;
+    var phi_2040_: bool;
+    var phi_2044_: type_19;
+    var phi_2045_: type_19;
+    var phi_2046_: type_19;
+    var phi_2047_: bool;
+    var phi_2051_: type_19;
+    var phi_2052_: bool;
+    var phi_2053_: type_19;
+    var phi_2054_: bool;
+    var phi_2055_: bool;
+    var phi_2056_: type_19;
+    var phi_2057_: bool;
+    var phi_2058_: bool;
+    var phi_2066_: type_19;
+    var phi_2067_: bool;
+    var phi_2071_: type_19;
+    var phi_2096_: bool;
+    var phi_2097_: bool;
+    var phi_2104_: type_36;
+    var phi_2105_: type_36;
+    var phi_2106_: type_36;
+    var phi_924_: type_36;
+    var phi_3283_: bool;
+    var phi_3447_: bool;
+    var phi_3058_: type_36;
+    var phi_3059_: type_53;
+    var phi_3060_: bool;
+    var phi_3061_: u32;
+    var phi_3446_: bool;
+    var phi_3062_: type_36;
+    var phi_3063_: type_53;
+    var phi_3064_: u32;
+    var phi_3065_: bool;
+    var phi_3066_: u32;
+    var phi_3445_: bool;
+    var phi_3067_: type_36;
+    var phi_3068_: type_53;
+    var phi_3069_: u32;
+    var phi_3070_: bool;
+    var phi_3071_: u32;
+    var phi_3444_: bool;
+    var phi_797_: type_36;
+    var phi_800_: type_53;
+    var phi_802_: u32;
+    var phi_804_: bool;
+    var phi_806_: u32;
+    var phi_3072_: bool;
+    var phi_3443_: bool;
     var local_10: type_36;
-    var phi_2852_: type_19;
+    var phi_3124_: type_19;
     var local_11: type_36;
     var local_12: type_36;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e75 = global;
-            let _e78 = arrayLength((&global_6.member));
-            let _e89 = arrayLength((&global_5.member));
-            let _e93 = global_2.member[0u][0u];
-            let _e97 = global_2.member[0u][1u];
-            let _e101 = global_2.member[0u][2u];
-            let _e105 = global_2.member[1u][0u];
-            let _e109 = global_2.member[1u][1u];
-            let _e113 = global_2.member[1u][2u];
-            let _e117 = global_2.member[1u][3u];
-            let _e121 = (_e75.x + (_e75.y * 2097152u));
-            let _e128 = (_e121 < arrayLength((&global_3.member)));
-            if _e128 {
-                let _e129 = (_e121 < arrayLength((&global_1.member)));
-                if _e129 {
-                    let _e130 = (_e121 < arrayLength((&global_4.member)));
-                    if _e130 {
-                        if _e128 {
+            let _e77 = global;
+            let _e80 = arrayLength((&global_6.member));
+            let _e91 = arrayLength((&global_5.member));
+            let _e95 = global_2.member[0u][0u];
+            let _e99 = global_2.member[0u][1u];
+            let _e103 = global_2.member[0u][2u];
+            let _e107 = global_2.member[1u][0u];
+            let _e111 = global_2.member[1u][1u];
+            let _e115 = global_2.member[1u][2u];
+            let _e119 = global_2.member[1u][3u];
+            let _e123 = (_e77.x + (_e77.y * 2097152u));
+            let _e130 = (_e123 < arrayLength((&global_3.member)));
+            if _e130 {
+                let _e131 = (_e123 < arrayLength((&global_1.member)));
+                if _e131 {
+                    let _e132 = (_e123 < arrayLength((&global_4.member)));
+                    if _e132 {
+                        if _e130 {
                         } else {
                             break;
                         }
-                        let _e140 = global_3.member[_e121].member.member_2[0u];
-                        let _e142 = (bitcast<u32>(_e140) & 2147483647u);
-                        let _e148 = global_3.member[_e121].member.member_2[1u];
-                        let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                        let _e156 = global_3.member[_e121].member.member_2[2u];
-                        let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                        let _e164 = global_3.member[_e121].member.member[0u];
-                        let _e166 = (bitcast<u32>(_e164) & 2147483647u);
-                        let _e172 = global_3.member[_e121].member.member[1u];
-                        let _e174 = (bitcast<u32>(_e172) & 2147483647u);
-                        let _e180 = global_3.member[_e121].member.member[2u];
-                        let _e182 = (bitcast<u32>(_e180) & 2147483647u);
-                        let _e184 = select(_e150, _e142, (_e150 < _e142));
-                        let _e186 = select(_e158, _e184, (_e158 < _e184));
-                        let _e188 = select(_e166, _e186, (_e166 < _e186));
-                        let _e190 = select(_e174, _e188, (_e174 < _e188));
-                        let _e192 = select(_e182, _e190, (_e182 < _e190));
-                        let _e197 = global_3.member[_e121].member.member_1;
-                        let _e199 = (bitcast<u32>(_e197) & 2147483647u);
-                        let _e207 = global_3.member[_e121].member.member_3;
-                        let _e213 = (((select(_e199, _e192, (_e199 < _e192)) < 2139095040u) && ((bitcast<u32>(_e207) & 2147483647u) <= 2139095040u)) && (_e186 > 0u));
-                        if _e213 {
-                            let _e216 = (bitcast<u32>(bitcast<f32>(_e186)) & 2147483647u);
-                            if (_e216 >= 8388608u) {
-                                phi_340_ = (bitcast<i32>((_e216 >> bitcast<u32>(23i))) - 127i);
+                        let _e142 = global_3.member[_e123].member.member_2[0u];
+                        let _e144 = (bitcast<u32>(_e142) & 2147483647u);
+                        let _e150 = global_3.member[_e123].member.member_2[1u];
+                        let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                        let _e158 = global_3.member[_e123].member.member_2[2u];
+                        let _e160 = (bitcast<u32>(_e158) & 2147483647u);
+                        let _e166 = global_3.member[_e123].member.member[0u];
+                        let _e168 = (bitcast<u32>(_e166) & 2147483647u);
+                        let _e174 = global_3.member[_e123].member.member[1u];
+                        let _e176 = (bitcast<u32>(_e174) & 2147483647u);
+                        let _e182 = global_3.member[_e123].member.member[2u];
+                        let _e184 = (bitcast<u32>(_e182) & 2147483647u);
+                        let _e186 = select(_e152, _e144, (_e152 < _e144));
+                        let _e188 = select(_e160, _e186, (_e160 < _e186));
+                        let _e190 = select(_e168, _e188, (_e168 < _e188));
+                        let _e192 = select(_e176, _e190, (_e176 < _e190));
+                        let _e194 = select(_e184, _e192, (_e184 < _e192));
+                        let _e199 = global_3.member[_e123].member.member_1;
+                        let _e201 = (bitcast<u32>(_e199) & 2147483647u);
+                        let _e209 = global_3.member[_e123].member.member_3;
+                        let _e215 = (((select(_e201, _e194, (_e201 < _e194)) < 2139095040u) && ((bitcast<u32>(_e209) & 2147483647u) <= 2139095040u)) && (_e188 > 0u));
+                        if _e215 {
+                            let _e218 = (bitcast<u32>(bitcast<f32>(_e188)) & 2147483647u);
+                            if (_e218 >= 8388608u) {
+                                phi_345_ = (bitcast<i32>((_e218 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_340_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e216)), 32u, (_e216 == 0u))));
+                                phi_345_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e218)), 32u, (_e218 == 0u))));
                             }
-                            let _e230 = phi_340_;
-                            phi_341_ = _e230;
+                            let _e232 = phi_345_;
+                            phi_346_ = _e232;
                         } else {
-                            phi_341_ = 0i;
+                            phi_346_ = 0i;
                         }
-                        let _e232 = phi_341_;
-                        let _e233 = (_e142 == _e186);
-                        if _e233 {
-                            phi_351_ = true;
+                        let _e234 = phi_346_;
+                        let _e235 = (_e144 == _e188);
+                        if _e235 {
+                            phi_356_ = true;
                         } else {
-                            phi_351_ = (_e150 == _e186);
+                            phi_356_ = (_e152 == _e188);
                         }
-                        let _e236 = phi_351_;
-                        let _e237 = select(1u, 0u, _e233);
-                        if _e236 {
-                            let _e238 = (_e237 + 1u);
-                            phi_361_ = _e238;
-                            phi_362_ = _e238;
-                            phi_364_ = select(true, false, (_e238 == 2u));
+                        let _e238 = phi_356_;
+                        let _e239 = select(1u, 0u, _e235);
+                        if _e238 {
+                            let _e240 = (_e239 + 1u);
+                            phi_366_ = _e240;
+                            phi_367_ = _e240;
+                            phi_369_ = select(true, false, (_e240 == 2u));
                         } else {
-                            phi_361_ = u32();
-                            phi_362_ = 0u;
-                            phi_364_ = true;
+                            phi_366_ = u32();
+                            phi_367_ = 0u;
+                            phi_369_ = true;
                         }
-                        let _e242 = phi_361_;
-                        let _e244 = phi_362_;
-                        let _e246 = phi_364_;
-                        if _e246 {
-                            phi_369_ = (_e244 + 1u);
+                        let _e244 = phi_366_;
+                        let _e246 = phi_367_;
+                        let _e248 = phi_369_;
+                        if _e248 {
+                            phi_374_ = (_e246 + 1u);
                         } else {
-                            phi_369_ = 0u;
+                            phi_374_ = 0u;
                         }
-                        let _e250 = phi_369_;
-                        let _e251 = select(_e242, _e244, _e246);
-                        let _e252 = select(_e237, select(2u, _e237, _e236), _e246);
-                        let _e253 = -(_e232);
-                        if (_e253 < -126i) {
-                            phi_401_ = -126i;
+                        let _e252 = phi_374_;
+                        let _e253 = select(_e244, _e246, _e248);
+                        let _e254 = select(_e239, select(2u, _e239, _e238), _e248);
+                        let _e255 = -(_e234);
+                        if (_e255 < -126i) {
+                            phi_406_ = -126i;
                         } else {
-                            phi_401_ = select(_e253, 127i, (_e253 > 127i));
+                            phi_406_ = select(_e255, 127i, (_e255 > 127i));
                         }
-                        let _e258 = phi_401_;
-                        let _e263 = bitcast<f32>((bitcast<u32>((_e258 + 127i)) << bitcast<u32>(23i)));
-                        let _e269 = bitcast<f32>((bitcast<u32>(((_e253 - _e258) + 127i)) << bitcast<u32>(23i)));
-                        let _e274 = global_3.member[_e121].member.member;
-                        let _e275 = (_e251 == 0u);
-                        if _e275 {
-                            phi_419_ = _e274[0];
+                        let _e260 = phi_406_;
+                        let _e265 = bitcast<f32>((bitcast<u32>((_e260 + 127i)) << bitcast<u32>(23i)));
+                        let _e271 = bitcast<f32>((bitcast<u32>(((_e255 - _e260) + 127i)) << bitcast<u32>(23i)));
+                        let _e276 = global_3.member[_e123].member.member;
+                        let _e277 = (_e253 == 0u);
+                        if _e277 {
+                            phi_424_ = _e276[0];
                         } else {
-                            phi_419_ = _e274[1];
+                            phi_424_ = _e276[1];
                         }
-                        let _e279 = phi_419_;
-                        let _e280 = (_e251 == 2u);
-                        if _e280 {
-                            phi_425_ = _e274[2];
+                        let _e281 = phi_424_;
+                        let _e282 = (_e253 == 2u);
+                        if _e282 {
+                            phi_430_ = _e276[2];
                         } else {
-                            phi_425_ = _e279;
+                            phi_430_ = _e281;
                         }
-                        let _e283 = phi_425_;
-                        let _e284 = global_3.member[_e121].member.member_2;
-                        if _e275 {
-                            phi_436_ = _e284[0];
+                        let _e285 = phi_430_;
+                        let _e286 = global_3.member[_e123].member.member_2;
+                        if _e277 {
+                            phi_441_ = _e286[0];
                         } else {
-                            phi_436_ = _e284[1];
+                            phi_441_ = _e286[1];
                         }
-                        let _e288 = phi_436_;
-                        if _e280 {
-                            phi_442_ = _e284[2];
+                        let _e290 = phi_441_;
+                        if _e282 {
+                            phi_447_ = _e286[2];
                         } else {
-                            phi_442_ = _e288;
+                            phi_447_ = _e290;
                         }
-                        let _e291 = phi_442_;
-                        let _e293 = ((_e291 * _e263) * _e269);
-                        let _e297 = (bitcast<f32>((bitcast<u32>(_e293) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e297 {
-                            let _e301 = (bitcast<f32>((bitcast<u32>(_e283) & 2147483647u)) * 0.00000011920929f);
-                            phi_465_ = select(0.00000000000011368684f, _e301, (_e301 > 0.00000000000011368684f));
+                        let _e293 = phi_447_;
+                        let _e295 = ((_e293 * _e265) * _e271);
+                        let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e299 {
+                            let _e303 = (bitcast<f32>((bitcast<u32>(_e285) & 2147483647u)) * 0.00000011920929f);
+                            phi_470_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
                         } else {
-                            phi_465_ = 0f;
+                            phi_470_ = 0f;
                         }
-                        let _e305 = phi_465_;
-                        let _e306 = (_e283 + _e305);
-                        let _e307 = (_e283 - _e305);
-                        let _e308 = select(_e293, 0f, _e297);
-                        if _e297 {
-                            phi_476_ = 38685626000000000000000000f;
+                        let _e307 = phi_470_;
+                        let _e308 = (_e285 + _e307);
+                        let _e309 = (_e285 - _e307);
+                        let _e310 = select(_e295, 0f, _e299);
+                        if _e299 {
+                            phi_481_ = 38685626000000000000000000f;
                         } else {
-                            phi_476_ = (1f / _e293);
+                            phi_481_ = (1f / _e295);
                         }
-                        let _e311 = phi_476_;
-                        let _e312 = (_e250 == 0u);
-                        if _e312 {
-                            phi_485_ = _e274[0];
+                        let _e313 = phi_481_;
+                        let _e314 = (_e252 == 0u);
+                        if _e314 {
+                            phi_490_ = _e276[0];
                         } else {
-                            phi_485_ = _e274[1];
+                            phi_490_ = _e276[1];
                         }
-                        let _e316 = phi_485_;
-                        let _e317 = (_e250 == 2u);
-                        if _e317 {
-                            phi_491_ = _e274[2];
+                        let _e318 = phi_490_;
+                        let _e319 = (_e252 == 2u);
+                        if _e319 {
+                            phi_496_ = _e276[2];
                         } else {
-                            phi_491_ = _e316;
+                            phi_496_ = _e318;
                         }
-                        let _e320 = phi_491_;
-                        if _e312 {
-                            phi_502_ = _e284[0];
+                        let _e322 = phi_496_;
+                        if _e314 {
+                            phi_507_ = _e286[0];
                         } else {
-                            phi_502_ = _e284[1];
+                            phi_507_ = _e286[1];
                         }
-                        let _e324 = phi_502_;
-                        if _e317 {
-                            phi_508_ = _e284[2];
+                        let _e326 = phi_507_;
+                        if _e319 {
+                            phi_513_ = _e286[2];
                         } else {
-                            phi_508_ = _e324;
+                            phi_513_ = _e326;
                         }
-                        let _e327 = phi_508_;
-                        let _e329 = ((_e327 * _e263) * _e269);
-                        let _e333 = (bitcast<f32>((bitcast<u32>(_e329) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e333 {
-                            let _e337 = (bitcast<f32>((bitcast<u32>(_e320) & 2147483647u)) * 0.00000011920929f);
-                            phi_531_ = select(0.00000000000011368684f, _e337, (_e337 > 0.00000000000011368684f));
+                        let _e329 = phi_513_;
+                        let _e331 = ((_e329 * _e265) * _e271);
+                        let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e335 {
+                            let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
+                            phi_536_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
                         } else {
-                            phi_531_ = 0f;
+                            phi_536_ = 0f;
                         }
-                        let _e341 = phi_531_;
-                        let _e342 = (_e320 + _e341);
-                        let _e343 = (_e320 - _e341);
-                        let _e344 = select(_e329, 0f, _e333);
-                        if _e333 {
-                            phi_542_ = 38685626000000000000000000f;
+                        let _e343 = phi_536_;
+                        let _e344 = (_e322 + _e343);
+                        let _e345 = (_e322 - _e343);
+                        let _e346 = select(_e331, 0f, _e335);
+                        if _e335 {
+                            phi_547_ = 38685626000000000000000000f;
                         } else {
-                            phi_542_ = (1f / _e329);
+                            phi_547_ = (1f / _e331);
                         }
-                        let _e347 = phi_542_;
-                        let _e348 = (_e252 == 0u);
-                        if _e348 {
-                            phi_551_ = _e274[0];
+                        let _e349 = phi_547_;
+                        let _e350 = (_e254 == 0u);
+                        if _e350 {
+                            phi_556_ = _e276[0];
                         } else {
-                            phi_551_ = _e274[1];
+                            phi_556_ = _e276[1];
                         }
-                        let _e352 = phi_551_;
-                        let _e353 = (_e252 == 2u);
-                        if _e353 {
-                            phi_557_ = _e274[2];
+                        let _e354 = phi_556_;
+                        let _e355 = (_e254 == 2u);
+                        if _e355 {
+                            phi_562_ = _e276[2];
                         } else {
-                            phi_557_ = _e352;
+                            phi_562_ = _e354;
                         }
-                        let _e356 = phi_557_;
-                        if _e348 {
-                            phi_568_ = _e284[0];
+                        let _e358 = phi_562_;
+                        if _e350 {
+                            phi_573_ = _e286[0];
                         } else {
-                            phi_568_ = _e284[1];
+                            phi_573_ = _e286[1];
                         }
-                        let _e360 = phi_568_;
-                        if _e353 {
-                            phi_574_ = _e284[2];
+                        let _e362 = phi_573_;
+                        if _e355 {
+                            phi_579_ = _e286[2];
                         } else {
-                            phi_574_ = _e360;
+                            phi_579_ = _e362;
                         }
-                        let _e363 = phi_574_;
-                        let _e365 = ((_e363 * _e263) * _e269);
-                        let _e369 = (bitcast<f32>((bitcast<u32>(_e365) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e369 {
-                            let _e373 = (bitcast<f32>((bitcast<u32>(_e356) & 2147483647u)) * 0.00000011920929f);
-                            phi_597_ = select(0.00000000000011368684f, _e373, (_e373 > 0.00000000000011368684f));
+                        let _e365 = phi_579_;
+                        let _e367 = ((_e365 * _e265) * _e271);
+                        let _e371 = (bitcast<f32>((bitcast<u32>(_e367) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e371 {
+                            let _e375 = (bitcast<f32>((bitcast<u32>(_e358) & 2147483647u)) * 0.00000011920929f);
+                            phi_602_ = select(0.00000000000011368684f, _e375, (_e375 > 0.00000000000011368684f));
                         } else {
-                            phi_597_ = 0f;
+                            phi_602_ = 0f;
                         }
-                        let _e377 = phi_597_;
-                        let _e378 = (_e356 + _e377);
-                        let _e379 = (_e356 - _e377);
-                        let _e380 = select(_e365, 0f, _e369);
-                        if _e369 {
-                            phi_608_ = 38685626000000000000000000f;
+                        let _e379 = phi_602_;
+                        let _e380 = (_e358 + _e379);
+                        let _e381 = (_e358 - _e379);
+                        let _e382 = select(_e367, 0f, _e371);
+                        if _e371 {
+                            phi_613_ = 38685626000000000000000000f;
                         } else {
-                            phi_608_ = (1f / _e365);
+                            phi_613_ = (1f / _e367);
                         }
-                        let _e383 = phi_608_;
-                        let _e386 = bitcast<f32>((bitcast<u32>(_e283) & 2147483647u));
-                        let _e389 = bitcast<f32>((bitcast<u32>(_e320) & 2147483647u));
-                        let _e391 = select(_e389, _e386, (_e386 > _e389));
-                        let _e394 = bitcast<f32>((bitcast<u32>(_e356) & 2147483647u));
-                        if (_e213 && (select(_e394, _e391, (_e391 > _e394)) <= 1099511600000f)) {
-                            let _e399 = (_e232 / 3i);
-                            let _e406 = bitcast<f32>((bitcast<u32>((_e399 + 127i)) << bitcast<u32>(23i)));
-                            let _e413 = bitcast<f32>((bitcast<u32>(((_e232 - (2i * _e399)) + 127i)) << bitcast<u32>(23i)));
-                            let _e414 = (((_e197 * _e406) * _e406) * _e413);
-                            let _e416 = select(340282350000000000000000000000000000000f, _e414, (_e414 < 340282350000000000000000000000000000000f));
-                            let _e421 = (((_e207 * _e406) * _e406) * _e413);
-                            let _e423 = select(340282350000000000000000000000000000000f, _e421, (_e421 < 340282350000000000000000000000000000000f));
-                            phi_708_ = select(-340282350000000000000000000000000000000f, _e423, (_e423 > -340282350000000000000000000000000000000f));
-                            phi_709_ = select(-340282350000000000000000000000000000000f, _e416, (_e416 > -340282350000000000000000000000000000000f));
+                        let _e385 = phi_613_;
+                        let _e388 = bitcast<f32>((bitcast<u32>(_e285) & 2147483647u));
+                        let _e391 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
+                        let _e393 = select(_e391, _e388, (_e388 > _e391));
+                        let _e396 = bitcast<f32>((bitcast<u32>(_e358) & 2147483647u));
+                        if (_e215 && (select(_e396, _e393, (_e393 > _e396)) <= 1099511600000f)) {
+                            let _e401 = (_e234 / 3i);
+                            let _e408 = bitcast<f32>((bitcast<u32>((_e401 + 127i)) << bitcast<u32>(23i)));
+                            let _e415 = bitcast<f32>((bitcast<u32>(((_e234 - (2i * _e401)) + 127i)) << bitcast<u32>(23i)));
+                            let _e416 = (((_e199 * _e408) * _e408) * _e415);
+                            let _e418 = select(340282350000000000000000000000000000000f, _e416, (_e416 < 340282350000000000000000000000000000000f));
+                            let _e423 = (((_e209 * _e408) * _e408) * _e415);
+                            let _e425 = select(340282350000000000000000000000000000000f, _e423, (_e423 < 340282350000000000000000000000000000000f));
+                            phi_713_ = select(-340282350000000000000000000000000000000f, _e425, (_e425 > -340282350000000000000000000000000000000f));
+                            phi_714_ = select(-340282350000000000000000000000000000000f, _e418, (_e418 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_708_ = 0f;
-                            phi_709_ = 1f;
+                            phi_713_ = 0f;
+                            phi_714_ = 1f;
                         }
-                        let _e427 = phi_708_;
-                        let _e429 = phi_709_;
-                        if _e128 {
+                        let _e429 = phi_713_;
+                        let _e431 = phi_714_;
+                        if _e130 {
                         } else {
                             break;
                         }
-                        let _e435 = global_3.member[_e121].member_2;
+                        let _e437 = global_3.member[_e123].member_2;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -483,793 +500,901 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e93), bitcast<f32>(_e97), bitcast<f32>(_e101));
-                        let _e439 = (_e251 % 3u);
-                        let _e440 = (_e439 < 3u);
-                        if _e440 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e95), bitcast<f32>(_e99), bitcast<f32>(_e103));
+                        let _e441 = (_e253 % 3u);
+                        let _e442 = (_e441 < 3u);
+                        if _e442 {
                         } else {
                             break;
                         }
-                        let _e442 = local_9[_e439];
-                        let _e443 = (_e250 % 3u);
-                        let _e444 = (_e443 < 3u);
-                        if _e444 {
+                        let _e444 = local_9[_e441];
+                        let _e445 = (_e252 % 3u);
+                        let _e446 = (_e445 < 3u);
+                        if _e446 {
                         } else {
                             break;
                         }
-                        let _e446 = local_9[_e443];
-                        let _e447 = (_e252 % 3u);
-                        let _e448 = (_e447 < 3u);
-                        if _e448 {
+                        let _e448 = local_9[_e445];
+                        let _e449 = (_e254 % 3u);
+                        let _e450 = (_e449 < 3u);
+                        if _e450 {
                         } else {
                             break;
                         }
-                        let _e450 = local_9[_e447];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                        if _e440 {
+                        let _e452 = local_9[_e449];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e107), bitcast<f32>(_e111), bitcast<f32>(_e115));
+                        if _e442 {
                         } else {
                             break;
                         }
-                        let _e454 = local_8[_e439];
-                        if _e444 {
+                        let _e456 = local_8[_e441];
+                        if _e446 {
                         } else {
                             break;
                         }
-                        let _e456 = local_8[_e443];
-                        if _e448 {
+                        let _e458 = local_8[_e445];
+                        if _e450 {
                         } else {
                             break;
                         }
-                        let _e458 = local_8[_e447];
-                        phi_3017_ = false;
-                        phi_791_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e427), 0u, 0u);
-                        phi_794_ = type_53(type_45(array<f32, 3>(_e442, _e446, _e450), array<f32, 3>(_e454, _e456, _e458)), select(0u, 2147483648u, (_e78 == 0u)));
-                        phi_796_ = ((3u * _e78) + 1u);
-                        phi_798_ = (_e429 <= _e427);
-                        phi_800_ = 0u;
+                        let _e460 = local_8[_e449];
+                        phi_3289_ = false;
+                        phi_796_ = type_36(type_34(type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e429), 0u, 0u);
+                        phi_799_ = type_53(type_45(array<f32, 3>(_e444, _e448, _e452), array<f32, 3>(_e456, _e458, _e460)), select(0u, 2147483648u, (_e80 == 0u)));
+                        phi_801_ = ((3u * _e80) + 1u);
+                        phi_803_ = (_e431 <= _e429);
+                        phi_805_ = 0u;
                         loop {
-                            let _e466 = phi_3017_;
-                            let _e468 = phi_791_;
-                            let _e470 = phi_794_;
-                            let _e472 = phi_796_;
-                            let _e474 = phi_798_;
-                            let _e476 = phi_800_;
-                            local_10 = _e468;
-                            local_11 = _e468;
-                            if _e474 {
-                                phi_811_ = true;
+                            let _e468 = phi_3289_;
+                            let _e470 = phi_796_;
+                            let _e472 = phi_799_;
+                            let _e474 = phi_801_;
+                            let _e476 = phi_803_;
+                            let _e478 = phi_805_;
+                            local_10 = _e470;
+                            local_11 = _e470;
+                            if _e476 {
+                                phi_816_ = true;
                             } else {
-                                phi_811_ = (_e476 > 0u);
+                                phi_816_ = (_e478 > 0u);
                             }
-                            let _e479 = phi_811_;
-                            if _e479 {
-                                let _e480 = (_e472 > 0u);
-                                if _e480 {
-                                    if _e474 {
-                                        phi_897_ = _e470;
-                                        phi_898_ = _e474;
-                                        phi_899_ = _e476;
+                            let _e481 = phi_816_;
+                            if _e481 {
+                                let _e482 = (_e474 > 0u);
+                                if _e482 {
+                                    if _e476 {
+                                        phi_902_ = _e472;
+                                        phi_903_ = _e476;
+                                        phi_904_ = _e478;
                                     } else {
-                                        let _e481 = (_e476 - 1u);
-                                        let _e482 = (_e481 % 128u);
-                                        let _e483 = (_e482 < 128u);
-                                        if _e483 {
+                                        let _e483 = (_e478 - 1u);
+                                        let _e484 = (_e483 % 128u);
+                                        let _e485 = (_e484 < 128u);
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e485 = local_6[_e482];
-                                        if _e483 {
+                                        let _e487 = local_6[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e487 = local_5[_e482];
-                                        if _e483 {
+                                        let _e489 = local_5[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e489 = local_4[_e482];
-                                        if _e483 {
+                                        let _e491 = local_4[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e491 = local_3[_e482];
-                                        if _e483 {
+                                        let _e493 = local_3[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e494 = local_2[_e482];
-                                        if _e483 {
+                                        let _e496 = local_2[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e496 = local_1[_e482];
-                                        if _e483 {
+                                        let _e498 = local_1[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e498 = local[_e482];
-                                        if _e483 {
+                                        let _e500 = local[_e484];
+                                        if _e485 {
                                         } else {
-                                            phi_3143_ = true;
+                                            phi_3443_ = true;
                                             break;
                                         }
-                                        let _e503 = local_7[_e482];
-                                        phi_897_ = type_53(type_45(array<f32, 3>(_e487, _e489, _e491), array<f32, 3>(_e494, _e496, _e498)), _e485);
-                                        phi_898_ = (_e503 <= _e468.member.member_1);
-                                        phi_899_ = _e481;
+                                        let _e505 = local_7[_e484];
+                                        phi_902_ = type_53(type_45(array<f32, 3>(_e489, _e491, _e493), array<f32, 3>(_e496, _e498, _e500)), _e487);
+                                        phi_903_ = (_e505 <= _e470.member.member_1);
+                                        phi_904_ = _e483;
                                     }
-                                    let _e508 = phi_897_;
-                                    let _e510 = phi_898_;
-                                    let _e512 = phi_899_;
-                                    if _e510 {
-                                        if ((_e508.member_1 & 2147483648u) != 0u) {
-                                            phi_918_ = _e468;
-                                            phi_921_ = type_7(0u, ((_e508.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e510 = phi_902_;
+                                    let _e512 = phi_903_;
+                                    let _e514 = phi_904_;
+                                    if _e512 {
+                                        if ((_e510.member_1 & 2147483648u) != 0u) {
+                                            phi_923_ = _e470;
+                                            phi_926_ = type_7(0u, ((_e510.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e872 = phi_918_;
-                                                let _e874 = phi_921_;
-                                                local_12 = _e872;
-                                                if (_e874.member < _e874.member_1) {
-                                                    phi_922_ = type_7((_e874.member + 1u), _e874.member_1);
-                                                    phi_944_ = type_7(1u, _e874.member);
+                                                let _e874 = phi_923_;
+                                                let _e876 = phi_926_;
+                                                local_12 = _e874;
+                                                if (_e876.member < _e876.member_1) {
+                                                    phi_927_ = type_7((_e876.member + 1u), _e876.member_1);
+                                                    phi_949_ = type_7(1u, _e876.member);
                                                 } else {
-                                                    phi_922_ = _e874;
-                                                    phi_944_ = type_7(0u, type_7().member_1);
+                                                    phi_927_ = _e876;
+                                                    phi_949_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e887 = phi_922_;
-                                                let _e889 = phi_944_;
-                                                let _e893 = (bitcast<i32>(_e889.member) != 0i);
-                                                if _e893 {
-                                                    let _e899 = type_36(_e872.member, _e872.member_1, (_e872.member_2 + 1u));
-                                                    let _e900 = ((_e508.member_1 & 268435455u) + _e889.member_1);
-                                                    let _e901 = (_e900 < arrayLength((&global_7.member)));
-                                                    if _e901 {
-                                                        if _e901 {
+                                                let _e889 = phi_927_;
+                                                let _e891 = phi_949_;
+                                                let _e895 = (bitcast<i32>(_e891.member) != 0i);
+                                                if _e895 {
+                                                    let _e901 = type_36(_e874.member, _e874.member_1, (_e874.member_2 + 1u));
+                                                    let _e902 = ((_e510.member_1 & 268435455u) + _e891.member_1);
+                                                    let _e903 = (_e902 < arrayLength((&global_7.member)));
+                                                    if _e903 {
+                                                        if _e903 {
                                                         } else {
-                                                            phi_3011_ = true;
+                                                            phi_3283_ = true;
                                                             break;
                                                         }
-                                                        let _e904 = global_7.member[_e900].member_1;
-                                                        phi_972_ = _e904;
+                                                        let _e906 = global_7.member[_e902].member_1;
+                                                        phi_977_ = _e906;
                                                     } else {
-                                                        phi_972_ = 4294967295u;
+                                                        phi_977_ = 4294967295u;
                                                     }
-                                                    let _e906 = phi_972_;
-                                                    if _e901 {
-                                                        if _e901 {
+                                                    let _e908 = phi_977_;
+                                                    if _e903 {
+                                                        if _e903 {
                                                         } else {
-                                                            phi_3011_ = true;
+                                                            phi_3283_ = true;
                                                             break;
                                                         }
-                                                        let _e908 = global_7.member[_e900];
-                                                        phi_988_ = _e908;
+                                                        let _e910 = global_7.member[_e902];
+                                                        phi_993_ = _e910;
                                                     } else {
-                                                        phi_988_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_993_ = type_47(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e910 = phi_988_;
-                                                    let _e922 = ((10u * _e251) & 31u);
-                                                    let _e925 = ((_e910.member[0] >> bitcast<u32>(_e922)) & 1023u);
-                                                    let _e930 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[0] - _e508.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                                    let _e936 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e925) * _e930)) ^ _e117)));
-                                                    let _e940 = select(select(_e508.member.member_1[0], _e936, (_e936 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e925 == 1023u));
-                                                    let _e942 = ((10u * _e250) & 31u);
-                                                    let _e945 = ((_e910.member[0] >> bitcast<u32>(_e942)) & 1023u);
-                                                    let _e950 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[1] - _e508.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                                    let _e956 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e945) * _e950)) ^ _e117)));
-                                                    let _e960 = select(select(_e508.member.member_1[1], _e956, (_e956 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e945 == 1023u));
-                                                    let _e962 = ((10u * _e252) & 31u);
-                                                    let _e965 = ((_e910.member[0] >> bitcast<u32>(_e962)) & 1023u);
-                                                    let _e970 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[2] - _e508.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                                    let _e976 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e965) * _e970)) ^ _e117)));
-                                                    let _e980 = select(select(_e508.member.member_1[2], _e976, (_e976 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e965 == 1023u));
-                                                    let _e984 = ((_e910.member[1] >> bitcast<u32>(_e922)) & 1023u);
-                                                    let _e990 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e984) * _e930)) ^ _e117)));
-                                                    let _e994 = select(select(_e508.member.member_1[0], _e990, (_e990 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e984 == 1023u));
-                                                    let _e997 = ((_e910.member[1] >> bitcast<u32>(_e942)) & 1023u);
-                                                    let _e1003 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e997) * _e950)) ^ _e117)));
-                                                    let _e1007 = select(select(_e508.member.member_1[1], _e1003, (_e1003 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e997 == 1023u));
-                                                    let _e1010 = ((_e910.member[1] >> bitcast<u32>(_e962)) & 1023u);
-                                                    let _e1016 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1010) * _e970)) ^ _e117)));
-                                                    let _e1020 = select(select(_e508.member.member_1[2], _e1016, (_e1016 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e1010 == 1023u));
-                                                    let _e1024 = ((_e910.member[2] >> bitcast<u32>(_e922)) & 1023u);
-                                                    let _e1030 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1024) * _e930)) ^ _e117)));
-                                                    let _e1034 = select(select(_e508.member.member_1[0], _e1030, (_e1030 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e1024 == 1023u));
-                                                    let _e1037 = ((_e910.member[2] >> bitcast<u32>(_e942)) & 1023u);
-                                                    let _e1043 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1037) * _e950)) ^ _e117)));
-                                                    let _e1047 = select(select(_e508.member.member_1[1], _e1043, (_e1043 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e1037 == 1023u));
-                                                    let _e1050 = ((_e910.member[2] >> bitcast<u32>(_e962)) & 1023u);
-                                                    let _e1056 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1050) * _e970)) ^ _e117)));
-                                                    let _e1060 = select(select(_e508.member.member_1[2], _e1056, (_e1056 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e1050 == 1023u));
-                                                    let _e1065 = (_e980 - _e356);
-                                                    let _e1068 = (((_e940 - _e283) * _e380) - (_e1065 * _e308));
-                                                    let _e1071 = (((_e960 - _e320) * _e380) - (_e1065 * _e344));
-                                                    let _e1074 = (_e1020 - _e356);
-                                                    let _e1077 = (((_e994 - _e283) * _e380) - (_e1074 * _e308));
-                                                    let _e1080 = (((_e1007 - _e320) * _e380) - (_e1074 * _e344));
-                                                    let _e1083 = (_e1060 - _e356);
-                                                    let _e1086 = (((_e1034 - _e283) * _e380) - (_e1083 * _e308));
-                                                    let _e1089 = (((_e1047 - _e320) * _e380) - (_e1083 * _e344));
-                                                    let _e1090 = (_e1086 * _e1080);
-                                                    let _e1091 = (_e1089 * _e1077);
-                                                    let _e1092 = (_e1068 * _e1089);
-                                                    let _e1093 = (_e1071 * _e1086);
-                                                    let _e1094 = (_e1077 * _e1071);
-                                                    let _e1095 = (_e1080 * _e1068);
-                                                    let _e1100 = (((_e1090 >= _e1091) && (_e1092 >= _e1093)) && (_e1094 >= _e1095));
-                                                    if (_e1100 || (((_e1090 <= _e1091) && (_e1092 <= _e1093)) && (_e1094 <= _e1095))) {
-                                                        let _e1107 = select(-1f, 1f, _e1100);
-                                                        let _e1109 = ((_e1090 - _e1091) * _e1107);
-                                                        let _e1111 = select(0f, _e1109, (_e1109 > 0f));
-                                                        let _e1113 = ((_e1092 - _e1093) * _e1107);
-                                                        let _e1115 = select(0f, _e1113, (_e1113 > 0f));
-                                                        let _e1117 = ((_e1094 - _e1095) * _e1107);
-                                                        let _e1119 = select(0f, _e1117, (_e1117 > 0f));
-                                                        let _e1121 = ((_e1111 + _e1115) + _e1119);
-                                                        if (_e1121 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1789_ = type_19();
-                                                            phi_1790_ = true;
+                                                    let _e912 = phi_993_;
+                                                    let _e924 = ((10u * _e253) & 31u);
+                                                    let _e927 = ((_e912.member[0] >> bitcast<u32>(_e924)) & 1023u);
+                                                    let _e932 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[0] - _e510.member.member[0]) * 0.0009775171f)) ^ _e119));
+                                                    let _e938 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e927) * _e932)) ^ _e119)));
+                                                    let _e942 = select(select(_e510.member.member_1[0], _e938, (_e938 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e927 == 1023u));
+                                                    let _e944 = ((10u * _e252) & 31u);
+                                                    let _e947 = ((_e912.member[0] >> bitcast<u32>(_e944)) & 1023u);
+                                                    let _e952 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[1] - _e510.member.member[1]) * 0.0009775171f)) ^ _e119));
+                                                    let _e958 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e947) * _e952)) ^ _e119)));
+                                                    let _e962 = select(select(_e510.member.member_1[1], _e958, (_e958 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e947 == 1023u));
+                                                    let _e964 = ((10u * _e254) & 31u);
+                                                    let _e967 = ((_e912.member[0] >> bitcast<u32>(_e964)) & 1023u);
+                                                    let _e972 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[2] - _e510.member.member[2]) * 0.0009775171f)) ^ _e119));
+                                                    let _e978 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e967) * _e972)) ^ _e119)));
+                                                    let _e982 = select(select(_e510.member.member_1[2], _e978, (_e978 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e967 == 1023u));
+                                                    let _e986 = ((_e912.member[1] >> bitcast<u32>(_e924)) & 1023u);
+                                                    let _e992 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e986) * _e932)) ^ _e119)));
+                                                    let _e996 = select(select(_e510.member.member_1[0], _e992, (_e992 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e986 == 1023u));
+                                                    let _e999 = ((_e912.member[1] >> bitcast<u32>(_e944)) & 1023u);
+                                                    let _e1005 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e999) * _e952)) ^ _e119)));
+                                                    let _e1009 = select(select(_e510.member.member_1[1], _e1005, (_e1005 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e999 == 1023u));
+                                                    let _e1012 = ((_e912.member[1] >> bitcast<u32>(_e964)) & 1023u);
+                                                    let _e1018 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1012) * _e972)) ^ _e119)));
+                                                    let _e1022 = select(select(_e510.member.member_1[2], _e1018, (_e1018 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e1012 == 1023u));
+                                                    let _e1026 = ((_e912.member[2] >> bitcast<u32>(_e924)) & 1023u);
+                                                    let _e1032 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1026) * _e932)) ^ _e119)));
+                                                    let _e1036 = select(select(_e510.member.member_1[0], _e1032, (_e1032 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e1026 == 1023u));
+                                                    let _e1039 = ((_e912.member[2] >> bitcast<u32>(_e944)) & 1023u);
+                                                    let _e1045 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1039) * _e952)) ^ _e119)));
+                                                    let _e1049 = select(select(_e510.member.member_1[1], _e1045, (_e1045 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e1039 == 1023u));
+                                                    let _e1052 = ((_e912.member[2] >> bitcast<u32>(_e964)) & 1023u);
+                                                    let _e1058 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1052) * _e972)) ^ _e119)));
+                                                    let _e1062 = select(select(_e510.member.member_1[2], _e1058, (_e1058 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e1052 == 1023u));
+                                                    let _e1067 = (_e982 - _e358);
+                                                    let _e1070 = (((_e942 - _e285) * _e382) - (_e1067 * _e310));
+                                                    let _e1073 = (((_e962 - _e322) * _e382) - (_e1067 * _e346));
+                                                    let _e1076 = (_e1022 - _e358);
+                                                    let _e1079 = (((_e996 - _e285) * _e382) - (_e1076 * _e310));
+                                                    let _e1082 = (((_e1009 - _e322) * _e382) - (_e1076 * _e346));
+                                                    let _e1085 = (_e1062 - _e358);
+                                                    let _e1088 = (((_e1036 - _e285) * _e382) - (_e1085 * _e310));
+                                                    let _e1091 = (((_e1049 - _e322) * _e382) - (_e1085 * _e346));
+                                                    let _e1092 = (_e1088 * _e1082);
+                                                    let _e1093 = (_e1091 * _e1079);
+                                                    let _e1094 = (_e1070 * _e1091);
+                                                    let _e1095 = (_e1073 * _e1088);
+                                                    let _e1096 = (_e1079 * _e1073);
+                                                    let _e1097 = (_e1082 * _e1070);
+                                                    let _e1102 = (((_e1092 >= _e1093) && (_e1094 >= _e1095)) && (_e1096 >= _e1097));
+                                                    if (_e1102 || (((_e1092 <= _e1093) && (_e1094 <= _e1095)) && (_e1096 <= _e1097))) {
+                                                        let _e1109 = select(-1f, 1f, _e1102);
+                                                        let _e1111 = ((_e1092 - _e1093) * _e1109);
+                                                        let _e1113 = select(0f, _e1111, (_e1111 > 0f));
+                                                        let _e1115 = ((_e1094 - _e1095) * _e1109);
+                                                        let _e1117 = select(0f, _e1115, (_e1115 > 0f));
+                                                        let _e1119 = ((_e1096 - _e1097) * _e1109);
+                                                        let _e1121 = select(0f, _e1119, (_e1119 > 0f));
+                                                        let _e1123 = ((_e1113 + _e1117) + _e1121);
+                                                        if (_e1123 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2056_ = type_19();
+                                                            phi_2057_ = true;
+                                                            phi_2058_ = false;
                                                         } else {
-                                                            let _e1124 = select(_e994, _e940, (_e940 < _e994));
-                                                            let _e1128 = select(_e994, _e940, (_e940 > _e994));
-                                                            let _e1132 = select(_e1007, _e960, (_e960 < _e1007));
-                                                            let _e1136 = select(_e1007, _e960, (_e960 > _e1007));
-                                                            let _e1140 = select(_e1020, _e980, (_e980 < _e1020));
-                                                            let _e1144 = select(_e1020, _e980, (_e980 > _e1020));
-                                                            let _e1149 = ((select(_e1034, _e1124, (_e1124 < _e1034)) - _e306) * _e311);
-                                                            let _e1150 = ((select(_e1034, _e1128, (_e1128 > _e1034)) - _e307) * _e311);
-                                                            let _e1153 = ((select(_e1047, _e1132, (_e1132 < _e1047)) - _e342) * _e347);
-                                                            let _e1154 = ((select(_e1047, _e1136, (_e1136 > _e1047)) - _e343) * _e347);
-                                                            let _e1157 = ((select(_e1060, _e1140, (_e1140 < _e1060)) - _e378) * _e383);
-                                                            let _e1158 = ((select(_e1060, _e1144, (_e1144 > _e1060)) - _e379) * _e383);
-                                                            let _e1160 = select(_e1158, _e1157, (_e1157 < _e1158));
-                                                            let _e1162 = select(_e1158, _e1157, (_e1157 > _e1158));
-                                                            let _e1164 = select(_e1150, _e1149, (_e1149 < _e1150));
-                                                            let _e1166 = select(_e1154, _e1153, (_e1153 < _e1154));
-                                                            let _e1168 = select(_e1166, _e1164, (_e1164 > _e1166));
-                                                            let _e1170 = select(_e1160, _e1168, (_e1168 > _e1160));
-                                                            let _e1172 = select(_e1150, _e1149, (_e1149 > _e1150));
-                                                            let _e1174 = select(_e1154, _e1153, (_e1153 > _e1154));
-                                                            let _e1176 = select(_e1174, _e1172, (_e1172 < _e1174));
-                                                            let _e1178 = select(_e1162, _e1176, (_e1176 < _e1162));
-                                                            let _e1179 = -(_e1160);
-                                                            let _e1185 = select(_e429, _e1170, (_e1170 > _e429));
-                                                            if (_e1185 > (_e1178 + (select(_e1179, _e1162, (_e1162 > _e1179)) * 0.0000019073523f))) {
-                                                                phi_1784_ = type_19();
-                                                                phi_1785_ = true;
+                                                            let _e1126 = select(_e1079, _e1070, (_e1070 < _e1079));
+                                                            if (select(_e1088, _e1126, (_e1126 < _e1088)) > 0f) {
+                                                                phi_1369_ = true;
                                                             } else {
-                                                                let _e1187 = (_e1185 > _e872.member.member_1);
-                                                                if _e1187 {
-                                                                    phi_1783_ = type_19();
+                                                                let _e1131 = select(_e1079, _e1070, (_e1070 > _e1079));
+                                                                phi_1369_ = (select(_e1088, _e1131, (_e1131 > _e1088)) < 0f);
+                                                            }
+                                                            let _e1136 = phi_1369_;
+                                                            if _e1136 {
+                                                                phi_2053_ = type_19();
+                                                                phi_2054_ = true;
+                                                                phi_2055_ = false;
+                                                            } else {
+                                                                let _e1138 = select(_e1082, _e1073, (_e1073 < _e1082));
+                                                                if (select(_e1091, _e1138, (_e1138 < _e1091)) > 0f) {
+                                                                    phi_1398_ = true;
                                                                 } else {
-                                                                    let _e1191 = (_e994 - _e940);
-                                                                    let _e1192 = (_e1007 - _e960);
-                                                                    let _e1193 = (_e1020 - _e980);
-                                                                    let _e1194 = vec3<f32>(_e1191, _e1192, _e1193);
-                                                                    let _e1195 = (_e1034 - _e994);
-                                                                    let _e1196 = (_e1047 - _e1007);
-                                                                    let _e1197 = (_e1060 - _e1020);
-                                                                    let _e1198 = vec3<f32>(_e1195, _e1196, _e1197);
-                                                                    let _e1199 = (_e940 - _e1034);
-                                                                    let _e1200 = (_e960 - _e1047);
-                                                                    let _e1201 = (_e980 - _e1060);
-                                                                    let _e1202 = vec3<f32>(_e1199, _e1200, _e1201);
-                                                                    let _e1205 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
-                                                                    let _e1208 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
-                                                                    let _e1210 = select(_e1208, _e1205, (_e1205 > _e1208));
-                                                                    let _e1213 = bitcast<f32>((bitcast<u32>(_e1193) & 2147483647u));
-                                                                    let _e1215 = select(_e1213, _e1210, (_e1210 > _e1213));
-                                                                    let _e1218 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-                                                                    let _e1221 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-                                                                    let _e1223 = select(_e1221, _e1218, (_e1218 > _e1221));
-                                                                    let _e1226 = bitcast<f32>((bitcast<u32>(_e1197) & 2147483647u));
-                                                                    let _e1228 = select(_e1226, _e1223, (_e1223 > _e1226));
-                                                                    let _e1231 = bitcast<f32>((bitcast<u32>(_e1199) & 2147483647u));
-                                                                    let _e1234 = bitcast<f32>((bitcast<u32>(_e1200) & 2147483647u));
-                                                                    let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
-                                                                    let _e1239 = bitcast<f32>((bitcast<u32>(_e1201) & 2147483647u));
-                                                                    let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
-                                                                    let _e1243 = select(_e1228, _e1215, (_e1215 > _e1228));
-                                                                    let _e1245 = select(_e1241, _e1243, (_e1243 > _e1241));
-                                                                    if (_e1215 == _e1245) {
-                                                                        phi_1694_ = _e1198;
-                                                                        phi_1695_ = _e1202;
+                                                                    let _e1143 = select(_e1082, _e1073, (_e1073 > _e1082));
+                                                                    phi_1398_ = (select(_e1091, _e1143, (_e1143 > _e1091)) < 0f);
+                                                                }
+                                                                let _e1148 = phi_1398_;
+                                                                if _e1148 {
+                                                                    phi_2051_ = type_19();
+                                                                    phi_2052_ = false;
+                                                                } else {
+                                                                    let _e1150 = select(_e996, _e942, (_e942 < _e996));
+                                                                    let _e1154 = select(_e996, _e942, (_e942 > _e996));
+                                                                    let _e1158 = select(_e1009, _e962, (_e962 < _e1009));
+                                                                    let _e1162 = select(_e1009, _e962, (_e962 > _e1009));
+                                                                    let _e1166 = select(_e1022, _e982, (_e982 < _e1022));
+                                                                    let _e1170 = select(_e1022, _e982, (_e982 > _e1022));
+                                                                    let _e1175 = ((select(_e1036, _e1150, (_e1150 < _e1036)) - _e308) * _e313);
+                                                                    let _e1176 = ((select(_e1036, _e1154, (_e1154 > _e1036)) - _e309) * _e313);
+                                                                    let _e1179 = ((select(_e1049, _e1158, (_e1158 < _e1049)) - _e344) * _e349);
+                                                                    let _e1180 = ((select(_e1049, _e1162, (_e1162 > _e1049)) - _e345) * _e349);
+                                                                    let _e1183 = ((select(_e1062, _e1166, (_e1166 < _e1062)) - _e380) * _e385);
+                                                                    let _e1184 = ((select(_e1062, _e1170, (_e1170 > _e1062)) - _e381) * _e385);
+                                                                    let _e1186 = select(_e1184, _e1183, (_e1183 < _e1184));
+                                                                    let _e1188 = select(_e1184, _e1183, (_e1183 > _e1184));
+                                                                    let _e1190 = select(_e1176, _e1175, (_e1175 < _e1176));
+                                                                    let _e1192 = select(_e1180, _e1179, (_e1179 < _e1180));
+                                                                    let _e1194 = select(_e1192, _e1190, (_e1190 > _e1192));
+                                                                    let _e1196 = select(_e1186, _e1194, (_e1194 > _e1186));
+                                                                    let _e1198 = select(_e1176, _e1175, (_e1175 > _e1176));
+                                                                    let _e1200 = select(_e1180, _e1179, (_e1179 > _e1180));
+                                                                    let _e1202 = select(_e1200, _e1198, (_e1198 < _e1200));
+                                                                    let _e1204 = select(_e1188, _e1202, (_e1202 < _e1188));
+                                                                    let _e1205 = -(_e1186);
+                                                                    let _e1211 = select(_e431, _e1196, (_e1196 > _e431));
+                                                                    if (_e1211 > (_e1204 + (select(_e1205, _e1188, (_e1188 > _e1205)) * 0.0000019073523f))) {
+                                                                        phi_2046_ = type_19();
+                                                                        phi_2047_ = true;
                                                                     } else {
-                                                                        let _e1248 = vec3((_e1228 == _e1245));
-                                                                        phi_1694_ = select(_e1194, _e1202, _e1248);
-                                                                        phi_1695_ = select(_e1198, _e1194, _e1248);
-                                                                    }
-                                                                    let _e1252 = phi_1694_;
-                                                                    let _e1254 = phi_1695_;
-                                                                    let _e1261 = ((_e1252.y * _e1254.z) - (_e1254.y * _e1252.z));
-                                                                    let _e1266 = ((_e1252.z * _e1254.x) - (_e1254.z * _e1252.x));
-                                                                    let _e1269 = ((_e1252.x * _e1254.y) - (_e1254.x * _e1252.y));
-                                                                    if (_e1111 >= _e1115) {
-                                                                        phi_1726_ = select(true, false, (_e1111 >= _e1119));
-                                                                    } else {
-                                                                        phi_1726_ = true;
-                                                                    }
-                                                                    let _e1274 = phi_1726_;
-                                                                    if _e1274 {
-                                                                        phi_1735_ = select(vec3<f32>(_e1034, _e1047, _e1060), vec3<f32>(_e994, _e1007, _e1020), vec3((_e1115 >= _e1119)));
-                                                                    } else {
-                                                                        phi_1735_ = vec3<f32>(_e940, _e960, _e980);
-                                                                    }
-                                                                    let _e1279 = phi_1735_;
-                                                                    let _e1296 = ((((_e1261 * (_e1279.x - _e283)) + (_e1266 * (_e1279.y - _e320))) + (_e1269 * (_e1279.z - _e356))) / (((_e1261 * _e308) + (_e1266 * _e344)) + (_e1269 * _e380)));
-                                                                    let _e1298 = select(_e1178, _e1296, (_e1296 < _e1178));
-                                                                    let _e1300 = select(_e1170, _e1298, (_e1298 > _e1170));
-                                                                    if (_e1300 >= _e429) {
-                                                                        let _e1302 = (_e1300 <= _e872.member.member_1);
-                                                                        if _e1302 {
-                                                                            let _e1303 = (1f / _e1121);
-                                                                            phi_1775_ = type_19(_e1300, (_e1115 * _e1303), (_e1119 * _e1303), _e906);
+                                                                        let _e1213 = (_e1211 > _e874.member.member_1);
+                                                                        if _e1213 {
+                                                                            phi_2045_ = type_19();
                                                                         } else {
-                                                                            phi_1775_ = type_19();
+                                                                            let _e1214 = vec3<f32>(_e942, _e962, _e982);
+                                                                            let _e1215 = vec3<f32>(_e996, _e1009, _e1022);
+                                                                            let _e1216 = vec3<f32>(_e1036, _e1049, _e1062);
+                                                                            let _e1217 = (_e996 - _e942);
+                                                                            let _e1218 = (_e1009 - _e962);
+                                                                            let _e1219 = (_e1022 - _e982);
+                                                                            let _e1220 = vec3<f32>(_e1217, _e1218, _e1219);
+                                                                            let _e1221 = (_e1036 - _e996);
+                                                                            let _e1222 = (_e1049 - _e1009);
+                                                                            let _e1223 = (_e1062 - _e1022);
+                                                                            let _e1224 = vec3<f32>(_e1221, _e1222, _e1223);
+                                                                            let _e1225 = (_e942 - _e1036);
+                                                                            let _e1226 = (_e962 - _e1049);
+                                                                            let _e1227 = (_e982 - _e1062);
+                                                                            let _e1228 = vec3<f32>(_e1225, _e1226, _e1227);
+                                                                            let _e1231 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                            let _e1234 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
+                                                                            let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
+                                                                            let _e1239 = bitcast<f32>((bitcast<u32>(_e1219) & 2147483647u));
+                                                                            let _e1241 = select(_e1239, _e1236, (_e1236 > _e1239));
+                                                                            let _e1244 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
+                                                                            let _e1247 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
+                                                                            let _e1249 = select(_e1247, _e1244, (_e1244 > _e1247));
+                                                                            let _e1252 = bitcast<f32>((bitcast<u32>(_e1223) & 2147483647u));
+                                                                            let _e1254 = select(_e1252, _e1249, (_e1249 > _e1252));
+                                                                            let _e1257 = bitcast<f32>((bitcast<u32>(_e1225) & 2147483647u));
+                                                                            let _e1260 = bitcast<f32>((bitcast<u32>(_e1226) & 2147483647u));
+                                                                            let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
+                                                                            let _e1265 = bitcast<f32>((bitcast<u32>(_e1227) & 2147483647u));
+                                                                            let _e1267 = select(_e1265, _e1262, (_e1262 > _e1265));
+                                                                            let _e1269 = select(_e1254, _e1241, (_e1241 > _e1254));
+                                                                            let _e1271 = select(_e1267, _e1269, (_e1269 > _e1267));
+                                                                            if (_e1241 == _e1271) {
+                                                                                phi_1775_ = _e1082;
+                                                                                phi_1776_ = _e1079;
+                                                                                phi_1777_ = _e1073;
+                                                                                phi_1778_ = _e1070;
+                                                                                phi_1779_ = _e1214;
+                                                                                phi_1780_ = _e1228;
+                                                                                phi_1781_ = _e1224;
+                                                                                phi_1782_ = _e1220;
+                                                                            } else {
+                                                                                let _e1273 = (_e1254 == _e1271);
+                                                                                let _e1278 = vec3(_e1273);
+                                                                                phi_1775_ = select(_e1073, _e1091, _e1273);
+                                                                                phi_1776_ = select(_e1070, _e1088, _e1273);
+                                                                                phi_1777_ = select(_e1091, _e1082, _e1273);
+                                                                                phi_1778_ = select(_e1088, _e1079, _e1273);
+                                                                                phi_1779_ = select(_e1216, _e1215, _e1278);
+                                                                                phi_1780_ = select(_e1224, _e1220, _e1278);
+                                                                                phi_1781_ = select(_e1220, _e1228, _e1278);
+                                                                                phi_1782_ = select(_e1228, _e1224, _e1278);
+                                                                            }
+                                                                            let _e1284 = phi_1775_;
+                                                                            let _e1286 = phi_1776_;
+                                                                            let _e1288 = phi_1777_;
+                                                                            let _e1290 = phi_1778_;
+                                                                            let _e1292 = phi_1779_;
+                                                                            let _e1294 = phi_1780_;
+                                                                            let _e1296 = phi_1781_;
+                                                                            let _e1298 = phi_1782_;
+                                                                            let _e1305 = ((_e1296.y * _e1294.z) - (_e1294.y * _e1296.z));
+                                                                            let _e1310 = ((_e1296.z * _e1294.x) - (_e1294.z * _e1296.x));
+                                                                            let _e1313 = ((_e1296.x * _e1294.y) - (_e1294.x * _e1296.y));
+                                                                            if (_e1113 >= _e1117) {
+                                                                                phi_1813_ = select(true, false, (_e1113 >= _e1121));
+                                                                            } else {
+                                                                                phi_1813_ = true;
+                                                                            }
+                                                                            let _e1318 = phi_1813_;
+                                                                            if _e1318 {
+                                                                                phi_1822_ = select(_e1216, _e1215, vec3((_e1117 >= _e1121)));
+                                                                            } else {
+                                                                                phi_1822_ = _e1214;
+                                                                            }
+                                                                            let _e1323 = phi_1822_;
+                                                                            let _e1328 = (((_e1305 * _e310) + (_e1310 * _e346)) + (_e1313 * _e382));
+                                                                            let _e1339 = (((_e1305 * (_e1323.x - _e285)) + (_e1310 * (_e1323.y - _e322))) + (_e1313 * (_e1323.z - _e358)));
+                                                                            let _e1341 = (_e1286 - _e1290);
+                                                                            let _e1342 = (_e1284 - _e1288);
+                                                                            let _e1350 = (-(((_e1290 * _e1341) + (_e1288 * _e1342))) / ((_e1341 * _e1341) + (_e1342 * _e1342)));
+                                                                            let _e1352 = select(1f, _e1350, (_e1350 < 1f));
+                                                                            let _e1354 = select(0f, _e1352, (_e1352 > 0f));
+                                                                            let _e1367 = ((_e1292.x + (_e1298.x * _e1354)) - _e285);
+                                                                            let _e1368 = ((_e1292.y + (_e1298.y * _e1354)) - _e322);
+                                                                            let _e1369 = ((_e1292.z + (_e1298.z * _e1354)) - _e358);
+                                                                            let _e1370 = (_e1369 / _e382);
+                                                                            let _e1382 = bitcast<f32>((bitcast<u32>(_e1367) & 2147483647u));
+                                                                            let _e1385 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
+                                                                            let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
+                                                                            let _e1390 = bitcast<f32>((bitcast<u32>(_e1369) & 2147483647u));
+                                                                            let _e1392 = select(_e1390, _e1387, (_e1387 > _e1390));
+                                                                            let _e1398 = bitcast<f32>((bitcast<u32>(_e1305) & 2147483647u));
+                                                                            let _e1401 = bitcast<f32>((bitcast<u32>(_e1310) & 2147483647u));
+                                                                            let _e1403 = select(_e1401, _e1398, (_e1398 > _e1401));
+                                                                            let _e1406 = bitcast<f32>((bitcast<u32>(_e1313) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1305 * _e1367) + (_e1310 * _e1368)) + (_e1313 * _e1369)) - _e1339)) & 2147483647u)) <= ((0.0000009536743f * select(_e1271, _e1392, (_e1392 > _e1271))) * select(_e1406, _e1403, (_e1403 > _e1406)))) {
+                                                                                let _e1416 = bitcast<f32>((bitcast<u32>(_e1296.x) & 2147483647u));
+                                                                                let _e1419 = bitcast<f32>((bitcast<u32>(_e1296.y) & 2147483647u));
+                                                                                let _e1421 = select(_e1419, _e1416, (_e1416 > _e1419));
+                                                                                let _e1424 = bitcast<f32>((bitcast<u32>(_e1296.z) & 2147483647u));
+                                                                                let _e1430 = bitcast<f32>((bitcast<u32>(_e1294.x) & 2147483647u));
+                                                                                let _e1433 = bitcast<f32>((bitcast<u32>(_e1294.y) & 2147483647u));
+                                                                                let _e1435 = select(_e1433, _e1430, (_e1430 > _e1433));
+                                                                                let _e1438 = bitcast<f32>((bitcast<u32>(_e1294.z) & 2147483647u));
+                                                                                phi_1989_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1328) & 2147483647u)) > ((0.0000038146973f * select(_e1424, _e1421, (_e1421 > _e1424))) * select(_e1438, _e1435, (_e1435 > _e1438)))));
+                                                                            } else {
+                                                                                phi_1989_ = true;
+                                                                            }
+                                                                            let _e1445 = phi_1989_;
+                                                                            if _e1445 {
+                                                                                let _e1456 = ((((_e1305 * (_e1367 - (_e310 * _e1370))) + (_e1310 * (_e1368 - (_e346 * _e1370)))) + (_e1313 * (_e1369 - _e1369))) / _e1328);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1456) & 2147483647u)) <= _e1271) {
+                                                                                    phi_2013_ = (_e1370 + _e1456);
+                                                                                } else {
+                                                                                    phi_2013_ = _e1370;
+                                                                                }
+                                                                                let _e1463 = phi_2013_;
+                                                                                phi_2014_ = _e1463;
+                                                                            } else {
+                                                                                phi_2014_ = (_e1339 / _e1328);
+                                                                            }
+                                                                            let _e1465 = phi_2014_;
+                                                                            let _e1467 = select(_e1204, _e1465, (_e1465 < _e1204));
+                                                                            let _e1469 = select(_e1196, _e1467, (_e1467 > _e1196));
+                                                                            if (_e1469 >= _e431) {
+                                                                                let _e1471 = (_e1469 <= _e874.member.member_1);
+                                                                                if _e1471 {
+                                                                                    let _e1472 = (1f / _e1123);
+                                                                                    phi_2037_ = type_19(_e1469, (_e1117 * _e1472), (_e1121 * _e1472), _e908);
+                                                                                } else {
+                                                                                    phi_2037_ = type_19();
+                                                                                }
+                                                                                let _e1477 = phi_2037_;
+                                                                                phi_2039_ = _e1477;
+                                                                                phi_2040_ = select(true, false, _e1471);
+                                                                            } else {
+                                                                                phi_2039_ = type_19();
+                                                                                phi_2040_ = true;
+                                                                            }
+                                                                            let _e1480 = phi_2039_;
+                                                                            let _e1482 = phi_2040_;
+                                                                            if _e1482 {
+                                                                                phi_2044_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2044_ = _e1480;
+                                                                            }
+                                                                            let _e1484 = phi_2044_;
+                                                                            phi_2045_ = _e1484;
                                                                         }
-                                                                        let _e1308 = phi_1775_;
-                                                                        phi_1777_ = _e1308;
-                                                                        phi_1778_ = select(true, false, _e1302);
-                                                                    } else {
-                                                                        phi_1777_ = type_19();
-                                                                        phi_1778_ = true;
+                                                                        let _e1486 = phi_2045_;
+                                                                        phi_2046_ = _e1486;
+                                                                        phi_2047_ = _e1213;
                                                                     }
-                                                                    let _e1311 = phi_1777_;
-                                                                    let _e1313 = phi_1778_;
-                                                                    if _e1313 {
-                                                                        phi_1782_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1782_ = _e1311;
-                                                                    }
-                                                                    let _e1315 = phi_1782_;
-                                                                    phi_1783_ = _e1315;
+                                                                    let _e1488 = phi_2046_;
+                                                                    let _e1490 = phi_2047_;
+                                                                    phi_2051_ = _e1488;
+                                                                    phi_2052_ = _e1490;
                                                                 }
-                                                                let _e1317 = phi_1783_;
-                                                                phi_1784_ = _e1317;
-                                                                phi_1785_ = _e1187;
+                                                                let _e1492 = phi_2051_;
+                                                                let _e1494 = phi_2052_;
+                                                                phi_2053_ = _e1492;
+                                                                phi_2054_ = _e1148;
+                                                                phi_2055_ = _e1494;
                                                             }
-                                                            let _e1319 = phi_1784_;
-                                                            let _e1321 = phi_1785_;
-                                                            phi_1789_ = _e1319;
-                                                            phi_1790_ = _e1321;
+                                                            let _e1496 = phi_2053_;
+                                                            let _e1498 = phi_2054_;
+                                                            let _e1500 = phi_2055_;
+                                                            phi_2056_ = _e1496;
+                                                            phi_2057_ = _e1498;
+                                                            phi_2058_ = _e1500;
                                                         }
-                                                        let _e1323 = phi_1789_;
-                                                        let _e1325 = phi_1790_;
-                                                        phi_1794_ = _e1323;
-                                                        phi_1795_ = _e1325;
+                                                        let _e1502 = phi_2056_;
+                                                        let _e1504 = phi_2057_;
+                                                        let _e1506 = phi_2058_;
+                                                        phi_2066_ = _e1502;
+                                                        phi_2067_ = select(_e1506, true, _e1504);
                                                     } else {
-                                                        phi_1794_ = type_19();
-                                                        phi_1795_ = true;
+                                                        phi_2066_ = type_19();
+                                                        phi_2067_ = true;
                                                     }
-                                                    let _e1327 = phi_1794_;
-                                                    let _e1329 = phi_1795_;
-                                                    if _e1329 {
-                                                        phi_1799_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1509 = phi_2066_;
+                                                    let _e1511 = phi_2067_;
+                                                    if _e1511 {
+                                                        phi_2071_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1799_ = _e1327;
+                                                        phi_2071_ = _e1509;
                                                     }
-                                                    let _e1331 = phi_1799_;
-                                                    if (_e1331.member_3 != 4294967295u) {
-                                                        if (_e906 != _e435) {
-                                                            if (_e1331.member < _e872.member.member.member) {
-                                                                phi_1825_ = true;
+                                                    let _e1513 = phi_2071_;
+                                                    if (_e1513.member_3 != 4294967295u) {
+                                                        if (_e908 != _e437) {
+                                                            if (_e1513.member < _e874.member.member.member) {
+                                                                phi_2097_ = true;
                                                             } else {
-                                                                if (_e1331.member == _e872.member.member.member) {
-                                                                    phi_1824_ = (_e1331.member_3 < _e872.member.member.member_3);
+                                                                if (_e1513.member == _e874.member.member.member) {
+                                                                    phi_2096_ = (_e1513.member_3 < _e874.member.member.member_3);
                                                                 } else {
-                                                                    phi_1824_ = false;
+                                                                    phi_2096_ = false;
                                                                 }
-                                                                let _e1346 = phi_1824_;
-                                                                phi_1825_ = _e1346;
+                                                                let _e1528 = phi_2096_;
+                                                                phi_2097_ = _e1528;
                                                             }
-                                                            let _e1348 = phi_1825_;
-                                                            if _e1348 {
-                                                                phi_1832_ = type_36(type_34(_e1331, _e1331.member), _e899.member_1, _e899.member_2);
+                                                            let _e1530 = phi_2097_;
+                                                            if _e1530 {
+                                                                phi_2104_ = type_36(type_34(_e1513, _e1513.member), _e901.member_1, _e901.member_2);
                                                             } else {
-                                                                phi_1832_ = _e899;
+                                                                phi_2104_ = _e901;
                                                             }
-                                                            let _e1355 = phi_1832_;
-                                                            phi_1833_ = _e1355;
+                                                            let _e1537 = phi_2104_;
+                                                            phi_2105_ = _e1537;
                                                         } else {
-                                                            phi_1833_ = _e899;
+                                                            phi_2105_ = _e901;
                                                         }
-                                                        let _e1357 = phi_1833_;
-                                                        phi_1834_ = _e1357;
+                                                        let _e1539 = phi_2105_;
+                                                        phi_2106_ = _e1539;
                                                     } else {
-                                                        phi_1834_ = _e899;
+                                                        phi_2106_ = _e901;
                                                     }
-                                                    let _e1359 = phi_1834_;
-                                                    phi_919_ = _e1359;
+                                                    let _e1541 = phi_2106_;
+                                                    phi_924_ = _e1541;
                                                 } else {
-                                                    phi_919_ = type_36();
+                                                    phi_924_ = type_36();
                                                 }
-                                                let _e1361 = phi_919_;
+                                                let _e1543 = phi_924_;
                                                 continue;
                                                 continuing {
-                                                    phi_918_ = _e1361;
-                                                    phi_921_ = _e887;
-                                                    phi_3011_ = _e466;
-                                                    break if !(_e893);
+                                                    phi_923_ = _e1543;
+                                                    phi_926_ = _e889;
+                                                    phi_3283_ = _e468;
+                                                    break if !(_e895);
                                                 }
                                             }
-                                            let _e1364 = phi_3011_;
-                                            phi_3143_ = _e1364;
-                                            if _e1364 {
+                                            let _e1546 = phi_3283_;
+                                            phi_3443_ = _e1546;
+                                            if _e1546 {
                                                 break;
                                             }
-                                            phi_3147_ = _e1364;
-                                            let _e1574 = local_12;
-                                            phi_2786_ = _e1574;
-                                            phi_2787_ = _e508;
-                                            phi_2788_ = false;
-                                            phi_2789_ = _e512;
+                                            phi_3447_ = _e1546;
+                                            let _e1773 = local_12;
+                                            phi_3058_ = _e1773;
+                                            phi_3059_ = _e510;
+                                            phi_3060_ = false;
+                                            phi_3061_ = _e514;
                                         } else {
-                                            let _e528 = (_e508.member_1 < _e78);
-                                            if _e528 {
-                                                if _e528 {
+                                            let _e530 = (_e510.member_1 < _e80);
+                                            if _e530 {
+                                                if _e530 {
                                                 } else {
-                                                    phi_3143_ = true;
+                                                    phi_3443_ = true;
                                                     break;
                                                 }
-                                                let _e530 = global_6.member[_e508.member_1];
-                                                phi_1856_ = _e530;
+                                                let _e532 = global_6.member[_e510.member_1];
+                                                phi_2128_ = _e532;
                                             } else {
-                                                phi_1856_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2128_ = type_40(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e532 = phi_1856_;
-                                            let _e547 = ((10u * _e251) & 31u);
-                                            let _e550 = ((_e532.member[0] >> bitcast<u32>(_e547)) & 1023u);
-                                            let _e555 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[0] - _e508.member.member[0]) * 0.0009775171f)) ^ _e117));
-                                            let _e561 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e550) * _e555)) ^ _e117)));
-                                            let _e565 = select(select(_e508.member.member_1[0], _e561, (_e561 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e550 == 1023u));
-                                            let _e567 = ((10u * _e250) & 31u);
-                                            let _e570 = ((_e532.member[0] >> bitcast<u32>(_e567)) & 1023u);
-                                            let _e575 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[1] - _e508.member.member[1]) * 0.0009775171f)) ^ _e117));
-                                            let _e581 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e570) * _e575)) ^ _e117)));
-                                            let _e585 = select(select(_e508.member.member_1[1], _e581, (_e581 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e570 == 1023u));
-                                            let _e587 = ((10u * _e252) & 31u);
-                                            let _e590 = ((_e532.member[0] >> bitcast<u32>(_e587)) & 1023u);
-                                            let _e595 = bitcast<f32>((bitcast<u32>(((_e508.member.member_1[2] - _e508.member.member[2]) * 0.0009775171f)) ^ _e117));
-                                            let _e601 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e590) * _e595)) ^ _e117)));
-                                            let _e605 = select(select(_e508.member.member_1[2], _e601, (_e601 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e590 == 1023u));
-                                            let _e608 = ((_e532.member[1] >> bitcast<u32>(_e547)) & 1023u);
-                                            let _e614 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e608) * _e555)) ^ _e117)));
-                                            let _e618 = select(select(_e508.member.member_1[0], _e614, (_e614 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e608 == 1023u));
-                                            let _e621 = ((_e532.member[1] >> bitcast<u32>(_e567)) & 1023u);
-                                            let _e627 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e621) * _e575)) ^ _e117)));
-                                            let _e631 = select(select(_e508.member.member_1[1], _e627, (_e627 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e621 == 1023u));
-                                            let _e634 = ((_e532.member[1] >> bitcast<u32>(_e587)) & 1023u);
-                                            let _e640 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e634) * _e595)) ^ _e117)));
-                                            let _e644 = select(select(_e508.member.member_1[2], _e640, (_e640 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e634 == 1023u));
-                                            let _e650 = ((_e532.member_1[0] >> bitcast<u32>(_e547)) & 1023u);
-                                            let _e656 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e650) * _e555)) ^ _e117)));
-                                            let _e660 = select(select(_e508.member.member_1[0], _e656, (_e656 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e650 == 1023u));
-                                            let _e663 = ((_e532.member_1[0] >> bitcast<u32>(_e567)) & 1023u);
-                                            let _e669 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e663) * _e575)) ^ _e117)));
-                                            let _e673 = select(select(_e508.member.member_1[1], _e669, (_e669 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e663 == 1023u));
-                                            let _e676 = ((_e532.member_1[0] >> bitcast<u32>(_e587)) & 1023u);
-                                            let _e682 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e676) * _e595)) ^ _e117)));
-                                            let _e686 = select(select(_e508.member.member_1[2], _e682, (_e682 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e676 == 1023u));
-                                            let _e689 = ((_e532.member_1[1] >> bitcast<u32>(_e547)) & 1023u);
-                                            let _e695 = (_e508.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e689) * _e555)) ^ _e117)));
-                                            let _e699 = select(select(_e508.member.member_1[0], _e695, (_e695 < _e508.member.member_1[0])), _e508.member.member_1[0], (_e689 == 1023u));
-                                            let _e702 = ((_e532.member_1[1] >> bitcast<u32>(_e567)) & 1023u);
-                                            let _e708 = (_e508.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e702) * _e575)) ^ _e117)));
-                                            let _e712 = select(select(_e508.member.member_1[1], _e708, (_e708 < _e508.member.member_1[1])), _e508.member.member_1[1], (_e702 == 1023u));
-                                            let _e715 = ((_e532.member_1[1] >> bitcast<u32>(_e587)) & 1023u);
-                                            let _e721 = (_e508.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e715) * _e595)) ^ _e117)));
-                                            let _e725 = select(select(_e508.member.member_1[2], _e721, (_e721 < _e508.member.member_1[2])), _e508.member.member_1[2], (_e715 == 1023u));
-                                            let _e730 = type_53(type_45(array<f32, 3>(_e565, _e585, _e605), array<f32, 3>(_e618, _e631, _e644)), _e532.member_2);
-                                            let _e735 = type_53(type_45(array<f32, 3>(_e660, _e673, _e686), array<f32, 3>(_e699, _e712, _e725)), _e532.member_3);
-                                            let _e742 = ((_e565 - _e306) * _e311);
-                                            let _e743 = ((_e660 - _e306) * _e311);
-                                            let _e744 = ((_e618 - _e307) * _e311);
-                                            let _e745 = ((_e699 - _e307) * _e311);
-                                            let _e750 = ((_e585 - _e342) * _e347);
-                                            let _e751 = ((_e673 - _e342) * _e347);
-                                            let _e752 = ((_e631 - _e343) * _e347);
-                                            let _e753 = ((_e712 - _e343) * _e347);
-                                            let _e758 = ((_e605 - _e378) * _e383);
-                                            let _e759 = ((_e686 - _e378) * _e383);
-                                            let _e760 = ((_e644 - _e379) * _e383);
-                                            let _e761 = ((_e725 - _e379) * _e383);
-                                            let _e763 = select(_e760, _e758, (_e758 < _e760));
-                                            let _e765 = select(_e761, _e759, (_e759 < _e761));
-                                            let _e767 = select(_e760, _e758, (_e758 > _e760));
-                                            let _e769 = select(_e761, _e759, (_e759 > _e761));
-                                            let _e771 = select(_e744, _e742, (_e742 < _e744));
-                                            let _e773 = select(_e745, _e743, (_e743 < _e745));
-                                            let _e775 = select(_e752, _e750, (_e750 < _e752));
-                                            let _e777 = select(_e753, _e751, (_e751 < _e753));
-                                            let _e779 = select(_e775, _e771, (_e771 > _e775));
+                                            let _e534 = phi_2128_;
+                                            let _e549 = ((10u * _e253) & 31u);
+                                            let _e552 = ((_e534.member[0] >> bitcast<u32>(_e549)) & 1023u);
+                                            let _e557 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[0] - _e510.member.member[0]) * 0.0009775171f)) ^ _e119));
+                                            let _e563 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e552) * _e557)) ^ _e119)));
+                                            let _e567 = select(select(_e510.member.member_1[0], _e563, (_e563 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e552 == 1023u));
+                                            let _e569 = ((10u * _e252) & 31u);
+                                            let _e572 = ((_e534.member[0] >> bitcast<u32>(_e569)) & 1023u);
+                                            let _e577 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[1] - _e510.member.member[1]) * 0.0009775171f)) ^ _e119));
+                                            let _e583 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e572) * _e577)) ^ _e119)));
+                                            let _e587 = select(select(_e510.member.member_1[1], _e583, (_e583 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e572 == 1023u));
+                                            let _e589 = ((10u * _e254) & 31u);
+                                            let _e592 = ((_e534.member[0] >> bitcast<u32>(_e589)) & 1023u);
+                                            let _e597 = bitcast<f32>((bitcast<u32>(((_e510.member.member_1[2] - _e510.member.member[2]) * 0.0009775171f)) ^ _e119));
+                                            let _e603 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e592) * _e597)) ^ _e119)));
+                                            let _e607 = select(select(_e510.member.member_1[2], _e603, (_e603 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e592 == 1023u));
+                                            let _e610 = ((_e534.member[1] >> bitcast<u32>(_e549)) & 1023u);
+                                            let _e616 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e610) * _e557)) ^ _e119)));
+                                            let _e620 = select(select(_e510.member.member_1[0], _e616, (_e616 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e610 == 1023u));
+                                            let _e623 = ((_e534.member[1] >> bitcast<u32>(_e569)) & 1023u);
+                                            let _e629 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e623) * _e577)) ^ _e119)));
+                                            let _e633 = select(select(_e510.member.member_1[1], _e629, (_e629 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e623 == 1023u));
+                                            let _e636 = ((_e534.member[1] >> bitcast<u32>(_e589)) & 1023u);
+                                            let _e642 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e636) * _e597)) ^ _e119)));
+                                            let _e646 = select(select(_e510.member.member_1[2], _e642, (_e642 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e636 == 1023u));
+                                            let _e652 = ((_e534.member_1[0] >> bitcast<u32>(_e549)) & 1023u);
+                                            let _e658 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e652) * _e557)) ^ _e119)));
+                                            let _e662 = select(select(_e510.member.member_1[0], _e658, (_e658 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e652 == 1023u));
+                                            let _e665 = ((_e534.member_1[0] >> bitcast<u32>(_e569)) & 1023u);
+                                            let _e671 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e665) * _e577)) ^ _e119)));
+                                            let _e675 = select(select(_e510.member.member_1[1], _e671, (_e671 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e665 == 1023u));
+                                            let _e678 = ((_e534.member_1[0] >> bitcast<u32>(_e589)) & 1023u);
+                                            let _e684 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e597)) ^ _e119)));
+                                            let _e688 = select(select(_e510.member.member_1[2], _e684, (_e684 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e678 == 1023u));
+                                            let _e691 = ((_e534.member_1[1] >> bitcast<u32>(_e549)) & 1023u);
+                                            let _e697 = (_e510.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e691) * _e557)) ^ _e119)));
+                                            let _e701 = select(select(_e510.member.member_1[0], _e697, (_e697 < _e510.member.member_1[0])), _e510.member.member_1[0], (_e691 == 1023u));
+                                            let _e704 = ((_e534.member_1[1] >> bitcast<u32>(_e569)) & 1023u);
+                                            let _e710 = (_e510.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e704) * _e577)) ^ _e119)));
+                                            let _e714 = select(select(_e510.member.member_1[1], _e710, (_e710 < _e510.member.member_1[1])), _e510.member.member_1[1], (_e704 == 1023u));
+                                            let _e717 = ((_e534.member_1[1] >> bitcast<u32>(_e589)) & 1023u);
+                                            let _e723 = (_e510.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e717) * _e597)) ^ _e119)));
+                                            let _e727 = select(select(_e510.member.member_1[2], _e723, (_e723 < _e510.member.member_1[2])), _e510.member.member_1[2], (_e717 == 1023u));
+                                            let _e732 = type_53(type_45(array<f32, 3>(_e567, _e587, _e607), array<f32, 3>(_e620, _e633, _e646)), _e534.member_2);
+                                            let _e737 = type_53(type_45(array<f32, 3>(_e662, _e675, _e688), array<f32, 3>(_e701, _e714, _e727)), _e534.member_3);
+                                            let _e744 = ((_e567 - _e308) * _e313);
+                                            let _e745 = ((_e662 - _e308) * _e313);
+                                            let _e746 = ((_e620 - _e309) * _e313);
+                                            let _e747 = ((_e701 - _e309) * _e313);
+                                            let _e752 = ((_e587 - _e344) * _e349);
+                                            let _e753 = ((_e675 - _e344) * _e349);
+                                            let _e754 = ((_e633 - _e345) * _e349);
+                                            let _e755 = ((_e714 - _e345) * _e349);
+                                            let _e760 = ((_e607 - _e380) * _e385);
+                                            let _e761 = ((_e688 - _e380) * _e385);
+                                            let _e762 = ((_e646 - _e381) * _e385);
+                                            let _e763 = ((_e727 - _e381) * _e385);
+                                            let _e765 = select(_e762, _e760, (_e760 < _e762));
+                                            let _e767 = select(_e763, _e761, (_e761 < _e763));
+                                            let _e769 = select(_e762, _e760, (_e760 > _e762));
+                                            let _e771 = select(_e763, _e761, (_e761 > _e763));
+                                            let _e773 = select(_e746, _e744, (_e744 < _e746));
+                                            let _e775 = select(_e747, _e745, (_e745 < _e747));
+                                            let _e777 = select(_e754, _e752, (_e752 < _e754));
+                                            let _e779 = select(_e755, _e753, (_e753 < _e755));
                                             let _e781 = select(_e777, _e773, (_e773 > _e777));
-                                            let _e783 = select(_e763, _e779, (_e779 > _e763));
+                                            let _e783 = select(_e779, _e775, (_e775 > _e779));
                                             let _e785 = select(_e765, _e781, (_e781 > _e765));
-                                            let _e787 = select(_e744, _e742, (_e742 > _e744));
-                                            let _e789 = select(_e745, _e743, (_e743 > _e745));
-                                            let _e791 = select(_e752, _e750, (_e750 > _e752));
-                                            let _e793 = select(_e753, _e751, (_e751 > _e753));
-                                            let _e795 = select(_e791, _e787, (_e787 < _e791));
+                                            let _e787 = select(_e767, _e783, (_e783 > _e767));
+                                            let _e789 = select(_e746, _e744, (_e744 > _e746));
+                                            let _e791 = select(_e747, _e745, (_e745 > _e747));
+                                            let _e793 = select(_e754, _e752, (_e752 > _e754));
+                                            let _e795 = select(_e755, _e753, (_e753 > _e755));
                                             let _e797 = select(_e793, _e789, (_e789 < _e793));
-                                            let _e802 = -(_e763);
-                                            let _e803 = -(_e765);
-                                            let _e810 = (select(_e767, _e795, (_e795 < _e767)) + (select(_e802, _e767, (_e767 > _e802)) * 0.0000019073523f));
-                                            let _e811 = (select(_e769, _e797, (_e797 < _e769)) + (select(_e803, _e769, (_e769 > _e803)) * 0.0000019073523f));
-                                            let _e813 = select(_e429, _e783, (_e783 > _e429));
-                                            let _e815 = select(_e429, _e785, (_e785 > _e429));
-                                            let _e820 = (_e813 <= select(_e468.member.member_1, _e810, (_e810 < _e468.member.member_1)));
-                                            let _e821 = (_e815 <= select(_e468.member.member_1, _e811, (_e811 < _e468.member.member_1)));
-                                            let _e822 = (_e813 <= _e815);
-                                            if _e820 {
-                                                if _e821 {
-                                                    if _e822 {
-                                                        phi_2688_ = _e735;
+                                            let _e799 = select(_e795, _e791, (_e791 < _e795));
+                                            let _e804 = -(_e765);
+                                            let _e805 = -(_e767);
+                                            let _e812 = (select(_e769, _e797, (_e797 < _e769)) + (select(_e804, _e769, (_e769 > _e804)) * 0.0000019073523f));
+                                            let _e813 = (select(_e771, _e799, (_e799 < _e771)) + (select(_e805, _e771, (_e771 > _e805)) * 0.0000019073523f));
+                                            let _e815 = select(_e431, _e785, (_e785 > _e431));
+                                            let _e817 = select(_e431, _e787, (_e787 > _e431));
+                                            let _e822 = (_e815 <= select(_e470.member.member_1, _e812, (_e812 < _e470.member.member_1)));
+                                            let _e823 = (_e817 <= select(_e470.member.member_1, _e813, (_e813 < _e470.member.member_1)));
+                                            let _e824 = (_e815 <= _e817);
+                                            if _e822 {
+                                                if _e823 {
+                                                    if _e824 {
+                                                        phi_2960_ = _e737;
                                                     } else {
-                                                        phi_2688_ = _e730;
+                                                        phi_2960_ = _e732;
                                                     }
-                                                    let _e824 = phi_2688_;
-                                                    let _e832 = (_e512 % 128u);
-                                                    let _e833 = (_e832 < 128u);
-                                                    if _e833 {
+                                                    let _e826 = phi_2960_;
+                                                    let _e834 = (_e514 % 128u);
+                                                    let _e835 = (_e834 < 128u);
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e832] = _e824.member_1;
-                                                    if _e833 {
+                                                    local_6[_e834] = _e826.member_1;
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e832] = _e824.member.member[0];
-                                                    if _e833 {
+                                                    local_5[_e834] = _e826.member.member[0];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e832] = _e824.member.member[1];
-                                                    if _e833 {
+                                                    local_4[_e834] = _e826.member.member[1];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e832] = _e824.member.member[2];
-                                                    if _e833 {
+                                                    local_3[_e834] = _e826.member.member[2];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e832] = _e824.member.member_1[0];
-                                                    if _e833 {
+                                                    local_2[_e834] = _e826.member.member_1[0];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e832] = _e824.member.member_1[1];
-                                                    if _e833 {
+                                                    local_1[_e834] = _e826.member.member_1[1];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local[_e832] = _e824.member.member_1[2];
-                                                    if _e833 {
+                                                    local[_e834] = _e826.member.member_1[2];
+                                                    if _e835 {
                                                     } else {
-                                                        phi_3143_ = true;
+                                                        phi_3443_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e832] = select(_e815, _e813, (_e813 > _e815));
-                                                    if _e822 {
-                                                        phi_2765_ = _e730;
+                                                    local_7[_e834] = select(_e817, _e815, (_e815 > _e817));
+                                                    if _e824 {
+                                                        phi_3037_ = _e732;
                                                     } else {
-                                                        phi_2765_ = _e735;
+                                                        phi_3037_ = _e737;
                                                     }
-                                                    let _e850 = phi_2765_;
-                                                    phi_2766_ = _e850;
-                                                    phi_2767_ = (_e512 + 1u);
+                                                    let _e852 = phi_3037_;
+                                                    phi_3038_ = _e852;
+                                                    phi_3039_ = (_e514 + 1u);
                                                 } else {
-                                                    phi_2766_ = type_53();
-                                                    phi_2767_ = u32();
+                                                    phi_3038_ = type_53();
+                                                    phi_3039_ = u32();
                                                 }
-                                                let _e852 = phi_2766_;
-                                                let _e854 = phi_2767_;
-                                                phi_2769_ = _e852;
-                                                phi_2770_ = _e854;
-                                                phi_2771_ = select(true, false, _e821);
+                                                let _e854 = phi_3038_;
+                                                let _e856 = phi_3039_;
+                                                phi_3041_ = _e854;
+                                                phi_3042_ = _e856;
+                                                phi_3043_ = select(true, false, _e823);
                                             } else {
-                                                phi_2769_ = type_53();
-                                                phi_2770_ = u32();
-                                                phi_2771_ = true;
+                                                phi_3041_ = type_53();
+                                                phi_3042_ = u32();
+                                                phi_3043_ = true;
                                             }
-                                            let _e857 = phi_2769_;
-                                            let _e859 = phi_2770_;
-                                            let _e861 = phi_2771_;
-                                            if _e861 {
-                                                if _e820 {
-                                                    phi_2778_ = _e730;
+                                            let _e859 = phi_3041_;
+                                            let _e861 = phi_3042_;
+                                            let _e863 = phi_3043_;
+                                            if _e863 {
+                                                if _e822 {
+                                                    phi_3050_ = _e732;
                                                 } else {
-                                                    phi_2778_ = _e735;
+                                                    phi_3050_ = _e737;
                                                 }
-                                                let _e863 = phi_2778_;
-                                                phi_2783_ = _e863;
-                                                phi_2784_ = select(_e821, true, _e820);
+                                                let _e865 = phi_3050_;
+                                                phi_3055_ = _e865;
+                                                phi_3056_ = select(_e823, true, _e822);
                                             } else {
-                                                phi_2783_ = _e857;
-                                                phi_2784_ = _e510;
+                                                phi_3055_ = _e859;
+                                                phi_3056_ = _e512;
                                             }
-                                            let _e866 = phi_2783_;
-                                            let _e868 = phi_2784_;
-                                            phi_3147_ = _e466;
-                                            phi_2786_ = type_36(_e468.member, (_e468.member_1 + 1u), _e468.member_2);
-                                            phi_2787_ = _e866;
-                                            phi_2788_ = _e868;
-                                            phi_2789_ = select(_e859, _e512, _e861);
+                                            let _e868 = phi_3055_;
+                                            let _e870 = phi_3056_;
+                                            phi_3447_ = _e468;
+                                            phi_3058_ = type_36(_e470.member, (_e470.member_1 + 1u), _e470.member_2);
+                                            phi_3059_ = _e868;
+                                            phi_3060_ = _e870;
+                                            phi_3061_ = select(_e861, _e514, _e863);
                                         }
-                                        let _e1366 = phi_3147_;
-                                        let _e1368 = phi_2786_;
-                                        let _e1370 = phi_2787_;
-                                        let _e1372 = phi_2788_;
-                                        let _e1374 = phi_2789_;
-                                        phi_3146_ = _e1366;
-                                        phi_2790_ = _e1368;
-                                        phi_2791_ = _e1370;
-                                        phi_2792_ = (_e472 - 1u);
-                                        phi_2793_ = _e1372;
-                                        phi_2794_ = _e1374;
+                                        let _e1548 = phi_3447_;
+                                        let _e1550 = phi_3058_;
+                                        let _e1552 = phi_3059_;
+                                        let _e1554 = phi_3060_;
+                                        let _e1556 = phi_3061_;
+                                        phi_3446_ = _e1548;
+                                        phi_3062_ = _e1550;
+                                        phi_3063_ = _e1552;
+                                        phi_3064_ = (_e474 - 1u);
+                                        phi_3065_ = _e1554;
+                                        phi_3066_ = _e1556;
                                     } else {
-                                        phi_3146_ = _e466;
-                                        phi_2790_ = _e468;
-                                        phi_2791_ = _e508;
-                                        phi_2792_ = _e472;
-                                        phi_2793_ = _e510;
-                                        phi_2794_ = _e512;
+                                        phi_3446_ = _e468;
+                                        phi_3062_ = _e470;
+                                        phi_3063_ = _e510;
+                                        phi_3064_ = _e474;
+                                        phi_3065_ = _e512;
+                                        phi_3066_ = _e514;
                                     }
-                                    let _e1376 = phi_3146_;
-                                    let _e1378 = phi_2790_;
-                                    let _e1380 = phi_2791_;
-                                    let _e1382 = phi_2792_;
-                                    let _e1384 = phi_2793_;
-                                    let _e1386 = phi_2794_;
-                                    phi_3145_ = _e1376;
-                                    phi_2795_ = _e1378;
-                                    phi_2796_ = _e1380;
-                                    phi_2797_ = _e1382;
-                                    phi_2798_ = _e1384;
-                                    phi_2799_ = _e1386;
+                                    let _e1558 = phi_3446_;
+                                    let _e1560 = phi_3062_;
+                                    let _e1562 = phi_3063_;
+                                    let _e1564 = phi_3064_;
+                                    let _e1566 = phi_3065_;
+                                    let _e1568 = phi_3066_;
+                                    phi_3445_ = _e1558;
+                                    phi_3067_ = _e1560;
+                                    phi_3068_ = _e1562;
+                                    phi_3069_ = _e1564;
+                                    phi_3070_ = _e1566;
+                                    phi_3071_ = _e1568;
                                 } else {
-                                    phi_3145_ = _e466;
-                                    phi_2795_ = type_36();
-                                    phi_2796_ = type_53();
-                                    phi_2797_ = u32();
-                                    phi_2798_ = bool();
-                                    phi_2799_ = u32();
+                                    phi_3445_ = _e468;
+                                    phi_3067_ = type_36();
+                                    phi_3068_ = type_53();
+                                    phi_3069_ = u32();
+                                    phi_3070_ = bool();
+                                    phi_3071_ = u32();
                                 }
-                                let _e1388 = phi_3145_;
-                                let _e1390 = phi_2795_;
-                                let _e1392 = phi_2796_;
-                                let _e1394 = phi_2797_;
-                                let _e1396 = phi_2798_;
-                                let _e1398 = phi_2799_;
-                                phi_3144_ = _e1388;
-                                phi_792_ = _e1390;
-                                phi_795_ = _e1392;
-                                phi_797_ = _e1394;
-                                phi_799_ = _e1396;
-                                phi_801_ = _e1398;
-                                phi_2800_ = _e480;
+                                let _e1570 = phi_3445_;
+                                let _e1572 = phi_3067_;
+                                let _e1574 = phi_3068_;
+                                let _e1576 = phi_3069_;
+                                let _e1578 = phi_3070_;
+                                let _e1580 = phi_3071_;
+                                phi_3444_ = _e1570;
+                                phi_797_ = _e1572;
+                                phi_800_ = _e1574;
+                                phi_802_ = _e1576;
+                                phi_804_ = _e1578;
+                                phi_806_ = _e1580;
+                                phi_3072_ = _e482;
                             } else {
-                                phi_3144_ = _e466;
-                                phi_792_ = type_36();
-                                phi_795_ = type_53();
-                                phi_797_ = u32();
-                                phi_799_ = bool();
-                                phi_801_ = u32();
-                                phi_2800_ = false;
+                                phi_3444_ = _e468;
+                                phi_797_ = type_36();
+                                phi_800_ = type_53();
+                                phi_802_ = u32();
+                                phi_804_ = bool();
+                                phi_806_ = u32();
+                                phi_3072_ = false;
                             }
-                            let _e1400 = phi_3144_;
-                            let _e1402 = phi_792_;
-                            let _e1404 = phi_795_;
-                            let _e1406 = phi_797_;
-                            let _e1408 = phi_799_;
-                            let _e1410 = phi_801_;
-                            let _e1412 = phi_2800_;
+                            let _e1582 = phi_3444_;
+                            let _e1584 = phi_797_;
+                            let _e1586 = phi_800_;
+                            let _e1588 = phi_802_;
+                            let _e1590 = phi_804_;
+                            let _e1592 = phi_806_;
+                            let _e1594 = phi_3072_;
                             continue;
                             continuing {
-                                phi_3017_ = _e1400;
-                                phi_791_ = _e1402;
-                                phi_794_ = _e1404;
-                                phi_796_ = _e1406;
-                                phi_798_ = _e1408;
-                                phi_800_ = _e1410;
-                                phi_3143_ = _e1400;
-                                break if !(_e1412);
+                                phi_3289_ = _e1582;
+                                phi_796_ = _e1584;
+                                phi_799_ = _e1586;
+                                phi_801_ = _e1588;
+                                phi_803_ = _e1590;
+                                phi_805_ = _e1592;
+                                phi_3443_ = _e1582;
+                                break if !(_e1594);
                             }
                         }
-                        let _e1415 = phi_3143_;
-                        if _e1415 {
+                        let _e1597 = phi_3443_;
+                        if _e1597 {
                             break;
                         }
-                        let _e1417 = local_10;
-                        if (_e1417.member.member.member_3 != 4294967295u) {
-                            let _e1423 = (_e253 / 3i);
-                            let _e1430 = bitcast<f32>((bitcast<u32>((_e1423 + 127i)) << bitcast<u32>(23i)));
-                            let _e1438 = (((_e1417.member.member.member * _e1430) * _e1430) * bitcast<f32>((bitcast<u32>(((_e253 - (2i * _e1423)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1440 = select(340282350000000000000000000000000000000f, _e1438, (_e1438 < 340282350000000000000000000000000000000f));
-                            phi_2852_ = type_19(select(-340282350000000000000000000000000000000f, _e1440, (_e1440 > -340282350000000000000000000000000000000f)), _e1417.member.member.member_1, _e1417.member.member.member_2, _e1417.member.member.member_3);
+                        let _e1599 = local_10;
+                        if (_e1599.member.member.member_3 != 4294967295u) {
+                            let _e1605 = (_e255 / 3i);
+                            let _e1612 = bitcast<f32>((bitcast<u32>((_e1605 + 127i)) << bitcast<u32>(23i)));
+                            let _e1620 = (((_e1599.member.member.member * _e1612) * _e1612) * bitcast<f32>((bitcast<u32>(((_e255 - (2i * _e1605)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1622 = select(340282350000000000000000000000000000000f, _e1620, (_e1620 < 340282350000000000000000000000000000000f));
+                            phi_3124_ = type_19(select(-340282350000000000000000000000000000000f, _e1622, (_e1622 > -340282350000000000000000000000000000000f)), _e1599.member.member.member_1, _e1599.member.member.member_2, _e1599.member.member.member_3);
                         } else {
-                            phi_2852_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3124_ = type_19(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1447 = phi_2852_;
-                        if _e129 {
+                        let _e1629 = phi_3124_;
+                        if _e131 {
                         } else {
                             break;
                         }
-                        global_1.member[_e121] = _e1447;
-                        let _e1451 = local_11;
+                        global_1.member[_e123] = _e1629;
+                        let _e1633 = local_11;
+                        if _e132 {
+                        } else {
+                            break;
+                        }
+                        global_4.member[_e123] = _e1633.member_1;
                         if _e130 {
                         } else {
                             break;
                         }
-                        global_4.member[_e121] = _e1451.member_1;
-                        if _e128 {
-                        } else {
-                            break;
-                        }
-                        let _e1456 = select(0u, 1u, (_e197 <= _e207));
-                        if (_e1456 > 0u) {
-                            let _e1458 = (1u < _e89);
-                            if _e1458 {
-                                if (0u < _e89) {
+                        let _e1638 = select(0u, 1u, (_e199 <= _e209));
+                        if (_e1638 > 0u) {
+                            let _e1640 = (1u < _e91);
+                            if _e1640 {
+                                if (0u < _e91) {
                                 } else {
                                     break;
                                 }
-                                let _e1462 = atomicAdd((&global_5.member[0u]), _e1456);
-                                if ((_e1462 + _e1456) < _e1462) {
-                                    if _e1458 {
+                                let _e1644 = atomicAdd((&global_5.member[0u]), _e1638);
+                                if ((_e1644 + _e1638) < _e1644) {
+                                    if _e1640 {
                                     } else {
                                         break;
                                     }
-                                    let _e1467 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e1649 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1470 = select(0u, 1u, (_e1447.member_3 != 4294967295u));
-                        if (_e1470 > 0u) {
-                            let _e1472 = (3u < _e89);
-                            if _e1472 {
-                                if (2u < _e89) {
+                        let _e1652 = select(0u, 1u, (_e1629.member_3 != 4294967295u));
+                        if (_e1652 > 0u) {
+                            let _e1654 = (3u < _e91);
+                            if _e1654 {
+                                if (2u < _e91) {
                                 } else {
                                     break;
                                 }
-                                let _e1476 = atomicAdd((&global_5.member[2u]), _e1470);
-                                if ((_e1476 + _e1470) < _e1476) {
-                                    if _e1472 {
+                                let _e1658 = atomicAdd((&global_5.member[2u]), _e1652);
+                                if ((_e1658 + _e1652) < _e1658) {
+                                    if _e1654 {
                                     } else {
                                         break;
                                     }
-                                    let _e1481 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e1663 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1451.member_1 > 0u) {
-                            let _e1483 = (5u < _e89);
-                            if _e1483 {
-                                if (4u < _e89) {
+                        if (_e1633.member_1 > 0u) {
+                            let _e1665 = (5u < _e91);
+                            if _e1665 {
+                                if (4u < _e91) {
                                 } else {
                                     break;
                                 }
-                                let _e1487 = atomicAdd((&global_5.member[4u]), _e1451.member_1);
-                                if ((_e1487 + _e1451.member_1) < _e1487) {
-                                    if _e1483 {
+                                let _e1669 = atomicAdd((&global_5.member[4u]), _e1633.member_1);
+                                if ((_e1669 + _e1633.member_1) < _e1669) {
+                                    if _e1665 {
                                     } else {
                                         break;
                                     }
-                                    let _e1492 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e1674 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

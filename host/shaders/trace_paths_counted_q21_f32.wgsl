@@ -112,379 +112,396 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_387_: i32;
-    var phi_388_: i32;
-    var phi_398_: bool;
-    var phi_408_: u32;
-    var phi_409_: u32;
-    var phi_411_: bool;
-    var phi_416_: u32;
-    var phi_448_: i32;
-    var phi_466_: f32;
+    var phi_393_: i32;
+    var phi_394_: i32;
+    var phi_404_: bool;
+    var phi_414_: u32;
+    var phi_415_: u32;
+    var phi_417_: bool;
+    var phi_422_: u32;
+    var phi_454_: i32;
     var phi_472_: f32;
-    var phi_483_: f32;
+    var phi_478_: f32;
     var phi_489_: f32;
-    var phi_512_: f32;
-    var phi_523_: f32;
-    var phi_532_: f32;
+    var phi_495_: f32;
+    var phi_518_: f32;
+    var phi_529_: f32;
     var phi_538_: f32;
-    var phi_549_: f32;
+    var phi_544_: f32;
     var phi_555_: f32;
-    var phi_578_: f32;
-    var phi_589_: f32;
-    var phi_598_: f32;
+    var phi_561_: f32;
+    var phi_584_: f32;
+    var phi_595_: f32;
     var phi_604_: f32;
-    var phi_615_: f32;
+    var phi_610_: f32;
     var phi_621_: f32;
-    var phi_644_: f32;
-    var phi_655_: f32;
-    var phi_755_: f32;
-    var phi_756_: f32;
-    var phi_3321_: bool;
-    var phi_854_: type_42;
-    var phi_857_: type_53;
-    var phi_859_: u32;
-    var phi_861_: bool;
-    var phi_863_: u32;
-    var phi_874_: bool;
-    var phi_960_: type_53;
-    var phi_961_: bool;
-    var phi_962_: u32;
-    var phi_2455_: u32;
-    var phi_2456_: u32;
-    var phi_2466_: u32;
-    var phi_2468_: u32;
-    var phi_2469_: bool;
-    var phi_2489_: u32;
-    var phi_2490_: u32;
-    var phi_2494_: type_54;
-    var phi_2838_: type_53;
-    var phi_2915_: type_53;
-    var phi_2916_: type_53;
-    var phi_2917_: u32;
-    var phi_2919_: type_53;
-    var phi_2920_: u32;
-    var phi_2921_: bool;
-    var phi_2930_: type_53;
-    var phi_2935_: type_53;
-    var phi_2936_: bool;
-    var phi_980_: type_42;
-    var phi_983_: type_7;
-    var phi_984_: type_7;
-    var phi_1006_: type_7;
-    var phi_1030_: u32;
-    var phi_1119_: array<array<f32, 3>, 3>;
-    var phi_1590_: vec3<f32>;
-    var phi_1591_: vec3<f32>;
-    var phi_1622_: bool;
-    var phi_1631_: vec3<f32>;
-    var phi_1671_: type_22;
-    var phi_1673_: type_22;
-    var phi_1674_: bool;
-    var phi_1678_: type_22;
-    var phi_1679_: type_22;
-    var phi_1680_: type_22;
-    var phi_1681_: bool;
-    var phi_1685_: type_22;
-    var phi_1686_: bool;
-    var phi_1690_: type_22;
-    var phi_1691_: bool;
-    var phi_1695_: type_22;
-    var phi_1720_: bool;
-    var phi_1721_: bool;
-    var phi_1728_: type_42;
-    var phi_1729_: type_42;
-    var phi_1730_: type_42;
-    var phi_981_: type_42;
-    var phi_3315_: bool;
-    var phi_3433_: bool;
-    var phi_2938_: type_42;
-    var phi_2939_: type_53;
-    var phi_2940_: bool;
-    var phi_2941_: u32;
-    var phi_3432_: bool;
-    var phi_2942_: type_42;
-    var phi_2943_: type_53;
-    var phi_2944_: u32;
-    var phi_2945_: bool;
-    var phi_2946_: u32;
-    var phi_3431_: bool;
-    var phi_2947_: type_42;
-    var phi_2948_: type_53;
-    var phi_2949_: u32;
-    var phi_2950_: bool;
-    var phi_2951_: u32;
-    var phi_3430_: bool;
-    var phi_855_: type_42;
-    var phi_858_: type_53;
-    var phi_860_: u32;
-    var phi_862_: bool;
-    var phi_864_: u32;
-    var phi_2952_: bool;
-    var phi_3429_: bool;
+    var phi_627_: f32;
+    var phi_650_: f32;
+    var phi_661_: f32;
+    var phi_761_: f32;
+    var phi_762_: f32;
+    var phi_3594_: bool;
+    var phi_860_: type_42;
+    var phi_863_: type_53;
+    var phi_865_: u32;
+    var phi_867_: bool;
+    var phi_869_: u32;
+    var phi_880_: bool;
+    var phi_966_: type_53;
+    var phi_967_: bool;
+    var phi_968_: u32;
+    var phi_2728_: u32;
+    var phi_2729_: u32;
+    var phi_2739_: u32;
+    var phi_2741_: u32;
+    var phi_2742_: bool;
+    var phi_2762_: u32;
+    var phi_2763_: u32;
+    var phi_2767_: type_54;
+    var phi_3111_: type_53;
+    var phi_3188_: type_53;
+    var phi_3189_: type_53;
+    var phi_3190_: u32;
+    var phi_3192_: type_53;
+    var phi_3193_: u32;
+    var phi_3194_: bool;
+    var phi_3203_: type_53;
+    var phi_3208_: type_53;
+    var phi_3209_: bool;
+    var phi_986_: type_42;
+    var phi_989_: type_7;
+    var phi_990_: type_7;
+    var phi_1012_: type_7;
+    var phi_1036_: u32;
+    var phi_1125_: array<array<f32, 3>, 3>;
+    var phi_1242_: bool;
+    var phi_1271_: bool;
+    var phi_1672_: f32;
+    var phi_1673_: f32;
+    var phi_1674_: f32;
+    var phi_1675_: f32;
+    var phi_1676_: vec3<f32>;
+    var phi_1677_: vec3<f32>;
+    var phi_1678_: vec3<f32>;
+    var phi_1679_: vec3<f32>;
+    var phi_1710_: bool;
+    var phi_1719_: vec3<f32>;
+    var phi_1886_: bool;
+    var phi_1910_: f32;
+    var phi_1911_: f32;
+    var phi_1934_: type_22;
+    var phi_1936_: type_22;
+    var phi_1937_: bool;
+    var phi_1941_: type_22;
+    var phi_1942_: type_22;
+    var phi_1943_: type_22;
+    var phi_1944_: bool;
+    var phi_1948_: type_22;
+    var phi_1949_: bool;
+    var phi_1950_: type_22;
+    var phi_1951_: bool;
+    var phi_1952_: bool;
+    var phi_1953_: type_22;
+    var phi_1954_: bool;
+    var phi_1955_: bool;
+    var phi_1963_: type_22;
+    var phi_1964_: bool;
+    var phi_1968_: type_22;
+    var phi_1993_: bool;
+    var phi_1994_: bool;
+    var phi_2001_: type_42;
+    var phi_2002_: type_42;
+    var phi_2003_: type_42;
+    var phi_987_: type_42;
+    var phi_3588_: bool;
+    var phi_3734_: bool;
+    var phi_3211_: type_42;
+    var phi_3212_: type_53;
+    var phi_3213_: bool;
+    var phi_3214_: u32;
+    var phi_3733_: bool;
+    var phi_3215_: type_42;
+    var phi_3216_: type_53;
+    var phi_3217_: u32;
+    var phi_3218_: bool;
+    var phi_3219_: u32;
+    var phi_3732_: bool;
+    var phi_3220_: type_42;
+    var phi_3221_: type_53;
+    var phi_3222_: u32;
+    var phi_3223_: bool;
+    var phi_3224_: u32;
+    var phi_3731_: bool;
+    var phi_861_: type_42;
+    var phi_864_: type_53;
+    var phi_866_: u32;
+    var phi_868_: bool;
+    var phi_870_: u32;
+    var phi_3225_: bool;
+    var phi_3730_: bool;
     var local_10: type_42;
-    var phi_3004_: type_22;
+    var phi_3277_: type_22;
     var local_11: type_42;
     var local_12: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e85 = arrayLength((&global_7.member));
-            let _e87 = arrayLength((&global_1.member));
-            let _e95 = arrayLength((&global_6.member));
-            let _e99 = global_3.member[0u][0u];
-            let _e103 = global_3.member[0u][1u];
-            let _e107 = global_3.member[0u][2u];
-            let _e111 = global_3.member[0u][3u];
-            let _e115 = global_3.member[1u][0u];
-            let _e119 = global_3.member[1u][1u];
-            let _e123 = global_3.member[1u][2u];
-            let _e127 = (_e83.x + (_e83.y * 2097152u));
-            let _e139 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e111) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e99), bitcast<i32>(_e103), bitcast<i32>(_e107));
-            local = array<i32, 3>(bitcast<i32>(_e115), bitcast<i32>(_e119), bitcast<i32>(_e123));
-            let _e142 = (_e127 < arrayLength((&global_4.member)));
-            if _e142 {
-                let _e143 = (_e127 < arrayLength((&global_2.member)));
-                if _e143 {
-                    let _e144 = (_e127 < arrayLength((&global_5.member)));
-                    if _e144 {
-                        if _e142 {
+            let _e84 = global;
+            let _e86 = arrayLength((&global_7.member));
+            let _e88 = arrayLength((&global_1.member));
+            let _e96 = arrayLength((&global_6.member));
+            let _e100 = global_3.member[0u][0u];
+            let _e104 = global_3.member[0u][1u];
+            let _e108 = global_3.member[0u][2u];
+            let _e112 = global_3.member[0u][3u];
+            let _e116 = global_3.member[1u][0u];
+            let _e120 = global_3.member[1u][1u];
+            let _e124 = global_3.member[1u][2u];
+            let _e128 = (_e84.x + (_e84.y * 2097152u));
+            let _e140 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e112) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e100), bitcast<i32>(_e104), bitcast<i32>(_e108));
+            local = array<i32, 3>(bitcast<i32>(_e116), bitcast<i32>(_e120), bitcast<i32>(_e124));
+            let _e143 = (_e128 < arrayLength((&global_4.member)));
+            if _e143 {
+                let _e144 = (_e128 < arrayLength((&global_2.member)));
+                if _e144 {
+                    let _e145 = (_e128 < arrayLength((&global_5.member)));
+                    if _e145 {
+                        if _e143 {
                         } else {
                             break;
                         }
-                        let _e154 = global_4.member[_e127].member.member_2[0u];
-                        let _e156 = (bitcast<u32>(_e154) & 2147483647u);
-                        let _e162 = global_4.member[_e127].member.member_2[1u];
-                        let _e164 = (bitcast<u32>(_e162) & 2147483647u);
-                        let _e170 = global_4.member[_e127].member.member_2[2u];
-                        let _e172 = (bitcast<u32>(_e170) & 2147483647u);
-                        let _e178 = global_4.member[_e127].member.member[0u];
-                        let _e180 = (bitcast<u32>(_e178) & 2147483647u);
-                        let _e186 = global_4.member[_e127].member.member[1u];
-                        let _e188 = (bitcast<u32>(_e186) & 2147483647u);
-                        let _e194 = global_4.member[_e127].member.member[2u];
-                        let _e196 = (bitcast<u32>(_e194) & 2147483647u);
-                        let _e198 = select(_e164, _e156, (_e164 < _e156));
-                        let _e200 = select(_e172, _e198, (_e172 < _e198));
-                        let _e202 = select(_e180, _e200, (_e180 < _e200));
-                        let _e204 = select(_e188, _e202, (_e188 < _e202));
-                        let _e206 = select(_e196, _e204, (_e196 < _e204));
-                        let _e211 = global_4.member[_e127].member.member_1;
-                        let _e213 = (bitcast<u32>(_e211) & 2147483647u);
-                        let _e221 = global_4.member[_e127].member.member_3;
-                        let _e227 = (((select(_e213, _e206, (_e213 < _e206)) < 2139095040u) && ((bitcast<u32>(_e221) & 2147483647u) <= 2139095040u)) && (_e200 > 0u));
-                        if _e227 {
-                            let _e230 = (bitcast<u32>(bitcast<f32>(_e200)) & 2147483647u);
-                            if (_e230 >= 8388608u) {
-                                phi_387_ = (bitcast<i32>((_e230 >> bitcast<u32>(23i))) - 127i);
+                        let _e155 = global_4.member[_e128].member.member_2[0u];
+                        let _e157 = (bitcast<u32>(_e155) & 2147483647u);
+                        let _e163 = global_4.member[_e128].member.member_2[1u];
+                        let _e165 = (bitcast<u32>(_e163) & 2147483647u);
+                        let _e171 = global_4.member[_e128].member.member_2[2u];
+                        let _e173 = (bitcast<u32>(_e171) & 2147483647u);
+                        let _e179 = global_4.member[_e128].member.member[0u];
+                        let _e181 = (bitcast<u32>(_e179) & 2147483647u);
+                        let _e187 = global_4.member[_e128].member.member[1u];
+                        let _e189 = (bitcast<u32>(_e187) & 2147483647u);
+                        let _e195 = global_4.member[_e128].member.member[2u];
+                        let _e197 = (bitcast<u32>(_e195) & 2147483647u);
+                        let _e199 = select(_e165, _e157, (_e165 < _e157));
+                        let _e201 = select(_e173, _e199, (_e173 < _e199));
+                        let _e203 = select(_e181, _e201, (_e181 < _e201));
+                        let _e205 = select(_e189, _e203, (_e189 < _e203));
+                        let _e207 = select(_e197, _e205, (_e197 < _e205));
+                        let _e212 = global_4.member[_e128].member.member_1;
+                        let _e214 = (bitcast<u32>(_e212) & 2147483647u);
+                        let _e222 = global_4.member[_e128].member.member_3;
+                        let _e228 = (((select(_e214, _e207, (_e214 < _e207)) < 2139095040u) && ((bitcast<u32>(_e222) & 2147483647u) <= 2139095040u)) && (_e201 > 0u));
+                        if _e228 {
+                            let _e231 = (bitcast<u32>(bitcast<f32>(_e201)) & 2147483647u);
+                            if (_e231 >= 8388608u) {
+                                phi_393_ = (bitcast<i32>((_e231 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_387_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e230)), 32u, (_e230 == 0u))));
+                                phi_393_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e231)), 32u, (_e231 == 0u))));
                             }
-                            let _e244 = phi_387_;
-                            phi_388_ = _e244;
+                            let _e245 = phi_393_;
+                            phi_394_ = _e245;
                         } else {
-                            phi_388_ = 0i;
+                            phi_394_ = 0i;
                         }
-                        let _e246 = phi_388_;
-                        let _e247 = (_e156 == _e200);
-                        if _e247 {
-                            phi_398_ = true;
+                        let _e247 = phi_394_;
+                        let _e248 = (_e157 == _e201);
+                        if _e248 {
+                            phi_404_ = true;
                         } else {
-                            phi_398_ = (_e164 == _e200);
+                            phi_404_ = (_e165 == _e201);
                         }
-                        let _e250 = phi_398_;
-                        let _e251 = select(1u, 0u, _e247);
-                        if _e250 {
-                            let _e252 = (_e251 + 1u);
-                            phi_408_ = _e252;
-                            phi_409_ = _e252;
-                            phi_411_ = select(true, false, (_e252 == 2u));
+                        let _e251 = phi_404_;
+                        let _e252 = select(1u, 0u, _e248);
+                        if _e251 {
+                            let _e253 = (_e252 + 1u);
+                            phi_414_ = _e253;
+                            phi_415_ = _e253;
+                            phi_417_ = select(true, false, (_e253 == 2u));
                         } else {
-                            phi_408_ = u32();
-                            phi_409_ = 0u;
-                            phi_411_ = true;
+                            phi_414_ = u32();
+                            phi_415_ = 0u;
+                            phi_417_ = true;
                         }
-                        let _e256 = phi_408_;
-                        let _e258 = phi_409_;
-                        let _e260 = phi_411_;
-                        if _e260 {
-                            phi_416_ = (_e258 + 1u);
+                        let _e257 = phi_414_;
+                        let _e259 = phi_415_;
+                        let _e261 = phi_417_;
+                        if _e261 {
+                            phi_422_ = (_e259 + 1u);
                         } else {
-                            phi_416_ = 0u;
+                            phi_422_ = 0u;
                         }
-                        let _e264 = phi_416_;
-                        let _e265 = select(_e256, _e258, _e260);
-                        let _e266 = select(_e251, select(2u, _e251, _e250), _e260);
-                        let _e267 = -(_e246);
-                        if (_e267 < -126i) {
-                            phi_448_ = -126i;
+                        let _e265 = phi_422_;
+                        let _e266 = select(_e257, _e259, _e261);
+                        let _e267 = select(_e252, select(2u, _e252, _e251), _e261);
+                        let _e268 = -(_e247);
+                        if (_e268 < -126i) {
+                            phi_454_ = -126i;
                         } else {
-                            phi_448_ = select(_e267, 127i, (_e267 > 127i));
+                            phi_454_ = select(_e268, 127i, (_e268 > 127i));
                         }
-                        let _e272 = phi_448_;
-                        let _e277 = bitcast<f32>((bitcast<u32>((_e272 + 127i)) << bitcast<u32>(23i)));
-                        let _e283 = bitcast<f32>((bitcast<u32>(((_e267 - _e272) + 127i)) << bitcast<u32>(23i)));
-                        let _e288 = global_4.member[_e127].member.member;
-                        let _e289 = (_e265 == 0u);
-                        if _e289 {
-                            phi_466_ = _e288[0];
+                        let _e273 = phi_454_;
+                        let _e278 = bitcast<f32>((bitcast<u32>((_e273 + 127i)) << bitcast<u32>(23i)));
+                        let _e284 = bitcast<f32>((bitcast<u32>(((_e268 - _e273) + 127i)) << bitcast<u32>(23i)));
+                        let _e289 = global_4.member[_e128].member.member;
+                        let _e290 = (_e266 == 0u);
+                        if _e290 {
+                            phi_472_ = _e289[0];
                         } else {
-                            phi_466_ = _e288[1];
+                            phi_472_ = _e289[1];
                         }
-                        let _e293 = phi_466_;
-                        let _e294 = (_e265 == 2u);
-                        if _e294 {
-                            phi_472_ = _e288[2];
+                        let _e294 = phi_472_;
+                        let _e295 = (_e266 == 2u);
+                        if _e295 {
+                            phi_478_ = _e289[2];
                         } else {
-                            phi_472_ = _e293;
+                            phi_478_ = _e294;
                         }
-                        let _e297 = phi_472_;
-                        let _e298 = global_4.member[_e127].member.member_2;
-                        if _e289 {
-                            phi_483_ = _e298[0];
+                        let _e298 = phi_478_;
+                        let _e299 = global_4.member[_e128].member.member_2;
+                        if _e290 {
+                            phi_489_ = _e299[0];
                         } else {
-                            phi_483_ = _e298[1];
+                            phi_489_ = _e299[1];
                         }
-                        let _e302 = phi_483_;
-                        if _e294 {
-                            phi_489_ = _e298[2];
+                        let _e303 = phi_489_;
+                        if _e295 {
+                            phi_495_ = _e299[2];
                         } else {
-                            phi_489_ = _e302;
+                            phi_495_ = _e303;
                         }
-                        let _e305 = phi_489_;
-                        let _e307 = ((_e305 * _e277) * _e283);
-                        let _e311 = (bitcast<f32>((bitcast<u32>(_e307) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e311 {
-                            let _e315 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) * 0.00000011920929f);
-                            phi_512_ = select(0.00000000000011368684f, _e315, (_e315 > 0.00000000000011368684f));
+                        let _e306 = phi_495_;
+                        let _e308 = ((_e306 * _e278) * _e284);
+                        let _e312 = (bitcast<f32>((bitcast<u32>(_e308) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e312 {
+                            let _e316 = (bitcast<f32>((bitcast<u32>(_e298) & 2147483647u)) * 0.00000011920929f);
+                            phi_518_ = select(0.00000000000011368684f, _e316, (_e316 > 0.00000000000011368684f));
                         } else {
-                            phi_512_ = 0f;
+                            phi_518_ = 0f;
                         }
-                        let _e319 = phi_512_;
-                        let _e320 = (_e297 + _e319);
-                        let _e321 = (_e297 - _e319);
-                        let _e322 = select(_e307, 0f, _e311);
-                        if _e311 {
-                            phi_523_ = 38685626000000000000000000f;
+                        let _e320 = phi_518_;
+                        let _e321 = (_e298 + _e320);
+                        let _e322 = (_e298 - _e320);
+                        let _e323 = select(_e308, 0f, _e312);
+                        if _e312 {
+                            phi_529_ = 38685626000000000000000000f;
                         } else {
-                            phi_523_ = (1f / _e307);
+                            phi_529_ = (1f / _e308);
                         }
-                        let _e325 = phi_523_;
-                        let _e326 = (_e264 == 0u);
-                        if _e326 {
-                            phi_532_ = _e288[0];
+                        let _e326 = phi_529_;
+                        let _e327 = (_e265 == 0u);
+                        if _e327 {
+                            phi_538_ = _e289[0];
                         } else {
-                            phi_532_ = _e288[1];
+                            phi_538_ = _e289[1];
                         }
-                        let _e330 = phi_532_;
-                        let _e331 = (_e264 == 2u);
-                        if _e331 {
-                            phi_538_ = _e288[2];
+                        let _e331 = phi_538_;
+                        let _e332 = (_e265 == 2u);
+                        if _e332 {
+                            phi_544_ = _e289[2];
                         } else {
-                            phi_538_ = _e330;
+                            phi_544_ = _e331;
                         }
-                        let _e334 = phi_538_;
-                        if _e326 {
-                            phi_549_ = _e298[0];
+                        let _e335 = phi_544_;
+                        if _e327 {
+                            phi_555_ = _e299[0];
                         } else {
-                            phi_549_ = _e298[1];
+                            phi_555_ = _e299[1];
                         }
-                        let _e338 = phi_549_;
-                        if _e331 {
-                            phi_555_ = _e298[2];
+                        let _e339 = phi_555_;
+                        if _e332 {
+                            phi_561_ = _e299[2];
                         } else {
-                            phi_555_ = _e338;
+                            phi_561_ = _e339;
                         }
-                        let _e341 = phi_555_;
-                        let _e343 = ((_e341 * _e277) * _e283);
-                        let _e347 = (bitcast<f32>((bitcast<u32>(_e343) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e347 {
-                            let _e351 = (bitcast<f32>((bitcast<u32>(_e334) & 2147483647u)) * 0.00000011920929f);
-                            phi_578_ = select(0.00000000000011368684f, _e351, (_e351 > 0.00000000000011368684f));
+                        let _e342 = phi_561_;
+                        let _e344 = ((_e342 * _e278) * _e284);
+                        let _e348 = (bitcast<f32>((bitcast<u32>(_e344) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e348 {
+                            let _e352 = (bitcast<f32>((bitcast<u32>(_e335) & 2147483647u)) * 0.00000011920929f);
+                            phi_584_ = select(0.00000000000011368684f, _e352, (_e352 > 0.00000000000011368684f));
                         } else {
-                            phi_578_ = 0f;
+                            phi_584_ = 0f;
                         }
-                        let _e355 = phi_578_;
-                        let _e356 = (_e334 + _e355);
-                        let _e357 = (_e334 - _e355);
-                        let _e358 = select(_e343, 0f, _e347);
-                        if _e347 {
-                            phi_589_ = 38685626000000000000000000f;
+                        let _e356 = phi_584_;
+                        let _e357 = (_e335 + _e356);
+                        let _e358 = (_e335 - _e356);
+                        let _e359 = select(_e344, 0f, _e348);
+                        if _e348 {
+                            phi_595_ = 38685626000000000000000000f;
                         } else {
-                            phi_589_ = (1f / _e343);
+                            phi_595_ = (1f / _e344);
                         }
-                        let _e361 = phi_589_;
-                        let _e362 = (_e266 == 0u);
-                        if _e362 {
-                            phi_598_ = _e288[0];
+                        let _e362 = phi_595_;
+                        let _e363 = (_e267 == 0u);
+                        if _e363 {
+                            phi_604_ = _e289[0];
                         } else {
-                            phi_598_ = _e288[1];
+                            phi_604_ = _e289[1];
                         }
-                        let _e366 = phi_598_;
-                        let _e367 = (_e266 == 2u);
-                        if _e367 {
-                            phi_604_ = _e288[2];
+                        let _e367 = phi_604_;
+                        let _e368 = (_e267 == 2u);
+                        if _e368 {
+                            phi_610_ = _e289[2];
                         } else {
-                            phi_604_ = _e366;
+                            phi_610_ = _e367;
                         }
-                        let _e370 = phi_604_;
-                        if _e362 {
-                            phi_615_ = _e298[0];
+                        let _e371 = phi_610_;
+                        if _e363 {
+                            phi_621_ = _e299[0];
                         } else {
-                            phi_615_ = _e298[1];
+                            phi_621_ = _e299[1];
                         }
-                        let _e374 = phi_615_;
-                        if _e367 {
-                            phi_621_ = _e298[2];
+                        let _e375 = phi_621_;
+                        if _e368 {
+                            phi_627_ = _e299[2];
                         } else {
-                            phi_621_ = _e374;
+                            phi_627_ = _e375;
                         }
-                        let _e377 = phi_621_;
-                        let _e379 = ((_e377 * _e277) * _e283);
-                        let _e383 = (bitcast<f32>((bitcast<u32>(_e379) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e383 {
-                            let _e387 = (bitcast<f32>((bitcast<u32>(_e370) & 2147483647u)) * 0.00000011920929f);
-                            phi_644_ = select(0.00000000000011368684f, _e387, (_e387 > 0.00000000000011368684f));
+                        let _e378 = phi_627_;
+                        let _e380 = ((_e378 * _e278) * _e284);
+                        let _e384 = (bitcast<f32>((bitcast<u32>(_e380) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e384 {
+                            let _e388 = (bitcast<f32>((bitcast<u32>(_e371) & 2147483647u)) * 0.00000011920929f);
+                            phi_650_ = select(0.00000000000011368684f, _e388, (_e388 > 0.00000000000011368684f));
                         } else {
-                            phi_644_ = 0f;
+                            phi_650_ = 0f;
                         }
-                        let _e391 = phi_644_;
-                        let _e392 = (_e370 + _e391);
-                        let _e393 = (_e370 - _e391);
-                        let _e394 = select(_e379, 0f, _e383);
-                        if _e383 {
-                            phi_655_ = 38685626000000000000000000f;
+                        let _e392 = phi_650_;
+                        let _e393 = (_e371 + _e392);
+                        let _e394 = (_e371 - _e392);
+                        let _e395 = select(_e380, 0f, _e384);
+                        if _e384 {
+                            phi_661_ = 38685626000000000000000000f;
                         } else {
-                            phi_655_ = (1f / _e379);
+                            phi_661_ = (1f / _e380);
                         }
-                        let _e397 = phi_655_;
-                        let _e400 = bitcast<f32>((bitcast<u32>(_e297) & 2147483647u));
-                        let _e403 = bitcast<f32>((bitcast<u32>(_e334) & 2147483647u));
-                        let _e405 = select(_e403, _e400, (_e400 > _e403));
-                        let _e408 = bitcast<f32>((bitcast<u32>(_e370) & 2147483647u));
-                        if (_e227 && (select(_e408, _e405, (_e405 > _e408)) <= 1099511600000f)) {
-                            let _e413 = (_e246 / 3i);
-                            let _e420 = bitcast<f32>((bitcast<u32>((_e413 + 127i)) << bitcast<u32>(23i)));
-                            let _e427 = bitcast<f32>((bitcast<u32>(((_e246 - (2i * _e413)) + 127i)) << bitcast<u32>(23i)));
-                            let _e428 = (((_e211 * _e420) * _e420) * _e427);
-                            let _e430 = select(340282350000000000000000000000000000000f, _e428, (_e428 < 340282350000000000000000000000000000000f));
-                            let _e435 = (((_e221 * _e420) * _e420) * _e427);
-                            let _e437 = select(340282350000000000000000000000000000000f, _e435, (_e435 < 340282350000000000000000000000000000000f));
-                            phi_755_ = select(-340282350000000000000000000000000000000f, _e437, (_e437 > -340282350000000000000000000000000000000f));
-                            phi_756_ = select(-340282350000000000000000000000000000000f, _e430, (_e430 > -340282350000000000000000000000000000000f));
+                        let _e398 = phi_661_;
+                        let _e401 = bitcast<f32>((bitcast<u32>(_e298) & 2147483647u));
+                        let _e404 = bitcast<f32>((bitcast<u32>(_e335) & 2147483647u));
+                        let _e406 = select(_e404, _e401, (_e401 > _e404));
+                        let _e409 = bitcast<f32>((bitcast<u32>(_e371) & 2147483647u));
+                        if (_e228 && (select(_e409, _e406, (_e406 > _e409)) <= 1099511600000f)) {
+                            let _e414 = (_e247 / 3i);
+                            let _e421 = bitcast<f32>((bitcast<u32>((_e414 + 127i)) << bitcast<u32>(23i)));
+                            let _e428 = bitcast<f32>((bitcast<u32>(((_e247 - (2i * _e414)) + 127i)) << bitcast<u32>(23i)));
+                            let _e429 = (((_e212 * _e421) * _e421) * _e428);
+                            let _e431 = select(340282350000000000000000000000000000000f, _e429, (_e429 < 340282350000000000000000000000000000000f));
+                            let _e436 = (((_e222 * _e421) * _e421) * _e428);
+                            let _e438 = select(340282350000000000000000000000000000000f, _e436, (_e436 < 340282350000000000000000000000000000000f));
+                            phi_761_ = select(-340282350000000000000000000000000000000f, _e438, (_e438 > -340282350000000000000000000000000000000f));
+                            phi_762_ = select(-340282350000000000000000000000000000000f, _e431, (_e431 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_755_ = 0f;
-                            phi_756_ = 1f;
+                            phi_761_ = 0f;
+                            phi_762_ = 1f;
                         }
-                        let _e441 = phi_755_;
-                        let _e443 = phi_756_;
-                        if _e142 {
+                        let _e442 = phi_761_;
+                        let _e444 = phi_762_;
+                        if _e143 {
                         } else {
                             break;
                         }
-                        let _e449 = global_4.member[_e127].member_2;
+                        let _e450 = global_4.member[_e128].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -493,896 +510,1004 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e452 = (_e265 % 3u);
-                        let _e453 = (_e452 < 3u);
-                        if _e453 {
+                        let _e453 = (_e266 % 3u);
+                        let _e454 = (_e453 < 3u);
+                        if _e454 {
                         } else {
                             break;
                         }
-                        let _e455 = local_1[_e452];
-                        let _e458 = (_e264 % 3u);
-                        let _e459 = (_e458 < 3u);
-                        if _e459 {
+                        let _e456 = local_1[_e453];
+                        let _e459 = (_e265 % 3u);
+                        let _e460 = (_e459 < 3u);
+                        if _e460 {
                         } else {
                             break;
                         }
-                        let _e461 = local_1[_e458];
-                        let _e464 = (_e266 % 3u);
-                        let _e465 = (_e464 < 3u);
-                        if _e465 {
+                        let _e462 = local_1[_e459];
+                        let _e465 = (_e267 % 3u);
+                        let _e466 = (_e465 < 3u);
+                        if _e466 {
                         } else {
                             break;
                         }
-                        let _e467 = local_1[_e464];
-                        if _e453 {
+                        let _e468 = local_1[_e465];
+                        if _e454 {
                         } else {
                             break;
                         }
-                        let _e472 = local[_e452];
-                        if _e459 {
+                        let _e473 = local[_e453];
+                        if _e460 {
                         } else {
                             break;
                         }
-                        let _e476 = local[_e458];
-                        if _e465 {
+                        let _e477 = local[_e459];
+                        if _e466 {
                         } else {
                             break;
                         }
-                        let _e480 = local[_e464];
-                        phi_3321_ = false;
-                        phi_854_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e441), 0u, 0u);
-                        phi_857_ = type_53(type_34(vec4<f32>((f32(_e455) * _e139), (f32(_e461) * _e139), (f32(_e467) * _e139), 0f), vec4<f32>((f32(_e472) * _e139), (f32(_e476) * _e139), (f32(_e480) * _e139), 0f)), select(0u, 2147483648u, (_e85 == 0u)));
-                        phi_859_ = ((3u * _e85) + 1u);
-                        phi_861_ = (_e443 <= _e441);
-                        phi_863_ = 0u;
+                        let _e481 = local[_e465];
+                        phi_3594_ = false;
+                        phi_860_ = type_42(type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e442), 0u, 0u);
+                        phi_863_ = type_53(type_34(vec4<f32>((f32(_e456) * _e140), (f32(_e462) * _e140), (f32(_e468) * _e140), 0f), vec4<f32>((f32(_e473) * _e140), (f32(_e477) * _e140), (f32(_e481) * _e140), 0f)), select(0u, 2147483648u, (_e86 == 0u)));
+                        phi_865_ = ((3u * _e86) + 1u);
+                        phi_867_ = (_e444 <= _e442);
+                        phi_869_ = 0u;
                         loop {
-                            let _e490 = phi_3321_;
-                            let _e492 = phi_854_;
-                            let _e494 = phi_857_;
-                            let _e496 = phi_859_;
-                            let _e498 = phi_861_;
-                            let _e500 = phi_863_;
-                            local_10 = _e492;
-                            local_11 = _e492;
-                            if _e498 {
-                                phi_874_ = true;
+                            let _e491 = phi_3594_;
+                            let _e493 = phi_860_;
+                            let _e495 = phi_863_;
+                            let _e497 = phi_865_;
+                            let _e499 = phi_867_;
+                            let _e501 = phi_869_;
+                            local_10 = _e493;
+                            local_11 = _e493;
+                            if _e499 {
+                                phi_880_ = true;
                             } else {
-                                phi_874_ = (_e500 > 0u);
+                                phi_880_ = (_e501 > 0u);
                             }
-                            let _e503 = phi_874_;
-                            if _e503 {
-                                let _e504 = (_e496 > 0u);
-                                if _e504 {
-                                    if _e498 {
-                                        phi_960_ = _e494;
-                                        phi_961_ = _e498;
-                                        phi_962_ = _e500;
+                            let _e504 = phi_880_;
+                            if _e504 {
+                                let _e505 = (_e497 > 0u);
+                                if _e505 {
+                                    if _e499 {
+                                        phi_966_ = _e495;
+                                        phi_967_ = _e499;
+                                        phi_968_ = _e501;
                                     } else {
-                                        let _e505 = (_e500 - 1u);
-                                        let _e506 = (_e505 % 128u);
-                                        let _e507 = (_e506 < 128u);
-                                        if _e507 {
+                                        let _e506 = (_e501 - 1u);
+                                        let _e507 = (_e506 % 128u);
+                                        let _e508 = (_e507 < 128u);
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e509 = local_7[_e506];
-                                        if _e507 {
+                                        let _e510 = local_7[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e511 = local_6[_e506];
-                                        if _e507 {
+                                        let _e512 = local_6[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e513 = local_5[_e506];
-                                        if _e507 {
+                                        let _e514 = local_5[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e515 = local_4[_e506];
-                                        if _e507 {
+                                        let _e516 = local_4[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e517 = local_3[_e506];
-                                        if _e507 {
+                                        let _e518 = local_3[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e519 = local_2[_e506];
-                                        if _e507 {
+                                        let _e520 = local_2[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e524 = local_8[_e506];
-                                        if _e507 {
+                                        let _e525 = local_8[_e507];
+                                        if _e508 {
                                         } else {
-                                            phi_3429_ = true;
+                                            phi_3730_ = true;
                                             break;
                                         }
-                                        let _e527 = local_9[_e506];
-                                        phi_960_ = type_53(type_34(vec4<f32>(_e509, _e511, _e513, 0f), vec4<f32>(_e515, _e517, _e519, 0f)), _e524);
-                                        phi_961_ = (_e527 <= _e492.member.member_1);
-                                        phi_962_ = _e505;
+                                        let _e528 = local_9[_e507];
+                                        phi_966_ = type_53(type_34(vec4<f32>(_e510, _e512, _e514, 0f), vec4<f32>(_e516, _e518, _e520, 0f)), _e525);
+                                        phi_967_ = (_e528 <= _e493.member.member_1);
+                                        phi_968_ = _e506;
                                     }
-                                    let _e532 = phi_960_;
-                                    let _e534 = phi_961_;
-                                    let _e536 = phi_962_;
-                                    if _e534 {
-                                        if ((_e532.member_1 & 2147483648u) != 0u) {
-                                            phi_980_ = _e492;
-                                            phi_983_ = type_7(0u, ((_e532.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e533 = phi_966_;
+                                    let _e535 = phi_967_;
+                                    let _e537 = phi_968_;
+                                    if _e535 {
+                                        if ((_e533.member_1 & 2147483648u) != 0u) {
+                                            phi_986_ = _e493;
+                                            phi_989_ = type_7(0u, ((_e533.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1005 = phi_980_;
-                                                let _e1007 = phi_983_;
-                                                local_12 = _e1005;
-                                                if (_e1007.member < _e1007.member_1) {
-                                                    phi_984_ = type_7((_e1007.member + 1u), _e1007.member_1);
-                                                    phi_1006_ = type_7(1u, _e1007.member);
+                                                let _e1006 = phi_986_;
+                                                let _e1008 = phi_989_;
+                                                local_12 = _e1006;
+                                                if (_e1008.member < _e1008.member_1) {
+                                                    phi_990_ = type_7((_e1008.member + 1u), _e1008.member_1);
+                                                    phi_1012_ = type_7(1u, _e1008.member);
                                                 } else {
-                                                    phi_984_ = _e1007;
-                                                    phi_1006_ = type_7(0u, type_7().member_1);
+                                                    phi_990_ = _e1008;
+                                                    phi_1012_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e1020 = phi_984_;
-                                                let _e1022 = phi_1006_;
-                                                let _e1026 = (bitcast<i32>(_e1022.member) != 0i);
-                                                if _e1026 {
-                                                    let _e1032 = type_42(_e1005.member, _e1005.member_1, (_e1005.member_2 + 1u));
-                                                    let _e1033 = ((_e532.member_1 & 268435455u) + _e1022.member_1);
-                                                    let _e1034 = (_e1033 < _e87);
-                                                    if _e1034 {
-                                                        if _e1034 {
+                                                let _e1021 = phi_990_;
+                                                let _e1023 = phi_1012_;
+                                                let _e1027 = (bitcast<i32>(_e1023.member) != 0i);
+                                                if _e1027 {
+                                                    let _e1033 = type_42(_e1006.member, _e1006.member_1, (_e1006.member_2 + 1u));
+                                                    let _e1034 = ((_e533.member_1 & 268435455u) + _e1023.member_1);
+                                                    let _e1035 = (_e1034 < _e88);
+                                                    if _e1035 {
+                                                        if _e1035 {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1038 = global_1.member[_e1033].member_1;
-                                                        phi_1030_ = _e1038;
+                                                        let _e1039 = global_1.member[_e1034].member_1;
+                                                        phi_1036_ = _e1039;
                                                     } else {
-                                                        phi_1030_ = 4294967295u;
+                                                        phi_1036_ = 4294967295u;
                                                     }
-                                                    let _e1040 = phi_1030_;
-                                                    if (_e1033 >= _e87) {
-                                                        phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e1041 = phi_1036_;
+                                                    if (_e1034 >= _e88) {
+                                                        phi_1125_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e1034 {
+                                                        if _e1035 {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        if (_e452 < 9u) {
+                                                        if (_e453 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1047 = global_1.member[_e1033].member[_e452];
-                                                        if (_e458 < 9u) {
+                                                        let _e1048 = global_1.member[_e1034].member[_e453];
+                                                        if (_e459 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1053 = global_1.member[_e1033].member[_e458];
-                                                        if (_e464 < 9u) {
+                                                        let _e1054 = global_1.member[_e1034].member[_e459];
+                                                        if (_e465 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1059 = global_1.member[_e1033].member[_e464];
-                                                        let _e1061 = (3u + _e452);
-                                                        if (_e1061 < 9u) {
+                                                        let _e1060 = global_1.member[_e1034].member[_e465];
+                                                        let _e1062 = (3u + _e453);
+                                                        if (_e1062 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1067 = global_1.member[_e1033].member[_e1061];
-                                                        let _e1068 = (3u + _e458);
-                                                        if (_e1068 < 9u) {
+                                                        let _e1068 = global_1.member[_e1034].member[_e1062];
+                                                        let _e1069 = (3u + _e459);
+                                                        if (_e1069 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1074 = global_1.member[_e1033].member[_e1068];
-                                                        let _e1075 = (3u + _e464);
-                                                        if (_e1075 < 9u) {
+                                                        let _e1075 = global_1.member[_e1034].member[_e1069];
+                                                        let _e1076 = (3u + _e465);
+                                                        if (_e1076 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1081 = global_1.member[_e1033].member[_e1075];
-                                                        let _e1083 = (6u + _e452);
-                                                        if (_e1083 < 9u) {
+                                                        let _e1082 = global_1.member[_e1034].member[_e1076];
+                                                        let _e1084 = (6u + _e453);
+                                                        if (_e1084 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1089 = global_1.member[_e1033].member[_e1083];
-                                                        let _e1090 = (6u + _e458);
-                                                        if (_e1090 < 9u) {
+                                                        let _e1090 = global_1.member[_e1034].member[_e1084];
+                                                        let _e1091 = (6u + _e459);
+                                                        if (_e1091 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1096 = global_1.member[_e1033].member[_e1090];
-                                                        let _e1097 = (6u + _e464);
-                                                        if (_e1097 < 9u) {
+                                                        let _e1097 = global_1.member[_e1034].member[_e1091];
+                                                        let _e1098 = (6u + _e465);
+                                                        if (_e1098 < 9u) {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3588_ = true;
                                                             break;
                                                         }
-                                                        let _e1103 = global_1.member[_e1033].member[_e1097];
-                                                        phi_1119_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1047, _e1053, _e1059), array<f32, 3>(_e1067, _e1074, _e1081), array<f32, 3>(_e1089, _e1096, _e1103));
+                                                        let _e1104 = global_1.member[_e1034].member[_e1098];
+                                                        phi_1125_ = array<array<f32, 3>, 3>(array<f32, 3>(_e1048, _e1054, _e1060), array<f32, 3>(_e1068, _e1075, _e1082), array<f32, 3>(_e1090, _e1097, _e1104));
                                                     }
-                                                    let _e1107 = phi_1119_;
-                                                    let _e1116 = (_e1107[0][2] - _e370);
-                                                    let _e1119 = (((_e1107[0][0] - _e297) * _e394) - (_e1116 * _e322));
-                                                    let _e1122 = (((_e1107[0][1] - _e334) * _e394) - (_e1116 * _e358));
-                                                    let _e1129 = (_e1107[1][2] - _e370);
-                                                    let _e1132 = (((_e1107[1][0] - _e297) * _e394) - (_e1129 * _e322));
-                                                    let _e1135 = (((_e1107[1][1] - _e334) * _e394) - (_e1129 * _e358));
-                                                    let _e1142 = (_e1107[2][2] - _e370);
-                                                    let _e1145 = (((_e1107[2][0] - _e297) * _e394) - (_e1142 * _e322));
-                                                    let _e1148 = (((_e1107[2][1] - _e334) * _e394) - (_e1142 * _e358));
-                                                    let _e1149 = (_e1145 * _e1135);
-                                                    let _e1150 = (_e1148 * _e1132);
-                                                    let _e1151 = (_e1119 * _e1148);
-                                                    let _e1152 = (_e1122 * _e1145);
-                                                    let _e1153 = (_e1132 * _e1122);
-                                                    let _e1154 = (_e1135 * _e1119);
-                                                    let _e1159 = (((_e1149 >= _e1150) && (_e1151 >= _e1152)) && (_e1153 >= _e1154));
-                                                    if (_e1159 || (((_e1149 <= _e1150) && (_e1151 <= _e1152)) && (_e1153 <= _e1154))) {
-                                                        let _e1166 = select(-1f, 1f, _e1159);
-                                                        let _e1168 = ((_e1149 - _e1150) * _e1166);
-                                                        let _e1170 = select(0f, _e1168, (_e1168 > 0f));
-                                                        let _e1172 = ((_e1151 - _e1152) * _e1166);
-                                                        let _e1174 = select(0f, _e1172, (_e1172 > 0f));
-                                                        let _e1176 = ((_e1153 - _e1154) * _e1166);
-                                                        let _e1178 = select(0f, _e1176, (_e1176 > 0f));
-                                                        let _e1180 = ((_e1170 + _e1174) + _e1178);
-                                                        if (_e1180 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1685_ = type_22();
-                                                            phi_1686_ = true;
+                                                    let _e1108 = phi_1125_;
+                                                    let _e1117 = (_e1108[0][2] - _e371);
+                                                    let _e1120 = (((_e1108[0][0] - _e298) * _e395) - (_e1117 * _e323));
+                                                    let _e1123 = (((_e1108[0][1] - _e335) * _e395) - (_e1117 * _e359));
+                                                    let _e1130 = (_e1108[1][2] - _e371);
+                                                    let _e1133 = (((_e1108[1][0] - _e298) * _e395) - (_e1130 * _e323));
+                                                    let _e1136 = (((_e1108[1][1] - _e335) * _e395) - (_e1130 * _e359));
+                                                    let _e1143 = (_e1108[2][2] - _e371);
+                                                    let _e1146 = (((_e1108[2][0] - _e298) * _e395) - (_e1143 * _e323));
+                                                    let _e1149 = (((_e1108[2][1] - _e335) * _e395) - (_e1143 * _e359));
+                                                    let _e1150 = (_e1146 * _e1136);
+                                                    let _e1151 = (_e1149 * _e1133);
+                                                    let _e1152 = (_e1120 * _e1149);
+                                                    let _e1153 = (_e1123 * _e1146);
+                                                    let _e1154 = (_e1133 * _e1123);
+                                                    let _e1155 = (_e1136 * _e1120);
+                                                    let _e1160 = (((_e1150 >= _e1151) && (_e1152 >= _e1153)) && (_e1154 >= _e1155));
+                                                    if (_e1160 || (((_e1150 <= _e1151) && (_e1152 <= _e1153)) && (_e1154 <= _e1155))) {
+                                                        let _e1167 = select(-1f, 1f, _e1160);
+                                                        let _e1169 = ((_e1150 - _e1151) * _e1167);
+                                                        let _e1171 = select(0f, _e1169, (_e1169 > 0f));
+                                                        let _e1173 = ((_e1152 - _e1153) * _e1167);
+                                                        let _e1175 = select(0f, _e1173, (_e1173 > 0f));
+                                                        let _e1177 = ((_e1154 - _e1155) * _e1167);
+                                                        let _e1179 = select(0f, _e1177, (_e1177 > 0f));
+                                                        let _e1181 = ((_e1171 + _e1175) + _e1179);
+                                                        if (_e1181 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1953_ = type_22();
+                                                            phi_1954_ = true;
+                                                            phi_1955_ = false;
                                                         } else {
-                                                            let _e1183 = select(_e1107[1][0], _e1107[0][0], (_e1107[0][0] < _e1107[1][0]));
-                                                            let _e1187 = select(_e1107[1][0], _e1107[0][0], (_e1107[0][0] > _e1107[1][0]));
-                                                            let _e1191 = select(_e1107[1][1], _e1107[0][1], (_e1107[0][1] < _e1107[1][1]));
-                                                            let _e1195 = select(_e1107[1][1], _e1107[0][1], (_e1107[0][1] > _e1107[1][1]));
-                                                            let _e1199 = select(_e1107[1][2], _e1107[0][2], (_e1107[0][2] < _e1107[1][2]));
-                                                            let _e1203 = select(_e1107[1][2], _e1107[0][2], (_e1107[0][2] > _e1107[1][2]));
-                                                            let _e1208 = ((select(_e1107[2][0], _e1183, (_e1183 < _e1107[2][0])) - _e320) * _e325);
-                                                            let _e1209 = ((select(_e1107[2][0], _e1187, (_e1187 > _e1107[2][0])) - _e321) * _e325);
-                                                            let _e1212 = ((select(_e1107[2][1], _e1191, (_e1191 < _e1107[2][1])) - _e356) * _e361);
-                                                            let _e1213 = ((select(_e1107[2][1], _e1195, (_e1195 > _e1107[2][1])) - _e357) * _e361);
-                                                            let _e1216 = ((select(_e1107[2][2], _e1199, (_e1199 < _e1107[2][2])) - _e392) * _e397);
-                                                            let _e1217 = ((select(_e1107[2][2], _e1203, (_e1203 > _e1107[2][2])) - _e393) * _e397);
-                                                            let _e1219 = select(_e1217, _e1216, (_e1216 < _e1217));
-                                                            let _e1221 = select(_e1217, _e1216, (_e1216 > _e1217));
-                                                            let _e1223 = select(_e1209, _e1208, (_e1208 < _e1209));
-                                                            let _e1225 = select(_e1213, _e1212, (_e1212 < _e1213));
-                                                            let _e1227 = select(_e1225, _e1223, (_e1223 > _e1225));
-                                                            let _e1229 = select(_e1219, _e1227, (_e1227 > _e1219));
-                                                            let _e1231 = select(_e1209, _e1208, (_e1208 > _e1209));
-                                                            let _e1233 = select(_e1213, _e1212, (_e1212 > _e1213));
-                                                            let _e1235 = select(_e1233, _e1231, (_e1231 < _e1233));
-                                                            let _e1237 = select(_e1221, _e1235, (_e1235 < _e1221));
-                                                            let _e1238 = -(_e1219);
-                                                            let _e1244 = select(_e443, _e1229, (_e1229 > _e443));
-                                                            if (_e1244 > (_e1237 + (select(_e1238, _e1221, (_e1221 > _e1238)) * 0.0000019073523f))) {
-                                                                phi_1680_ = type_22();
-                                                                phi_1681_ = true;
+                                                            let _e1184 = select(_e1133, _e1120, (_e1120 < _e1133));
+                                                            if (select(_e1146, _e1184, (_e1184 < _e1146)) > 0f) {
+                                                                phi_1242_ = true;
                                                             } else {
-                                                                let _e1246 = (_e1244 > _e1005.member.member_1);
-                                                                if _e1246 {
-                                                                    phi_1679_ = type_22();
+                                                                let _e1189 = select(_e1133, _e1120, (_e1120 > _e1133));
+                                                                phi_1242_ = (select(_e1146, _e1189, (_e1189 > _e1146)) < 0f);
+                                                            }
+                                                            let _e1194 = phi_1242_;
+                                                            if _e1194 {
+                                                                phi_1950_ = type_22();
+                                                                phi_1951_ = true;
+                                                                phi_1952_ = false;
+                                                            } else {
+                                                                let _e1196 = select(_e1136, _e1123, (_e1123 < _e1136));
+                                                                if (select(_e1149, _e1196, (_e1196 < _e1149)) > 0f) {
+                                                                    phi_1271_ = true;
                                                                 } else {
-                                                                    let _e1250 = (_e1107[1][0] - _e1107[0][0]);
-                                                                    let _e1251 = (_e1107[1][1] - _e1107[0][1]);
-                                                                    let _e1252 = (_e1107[1][2] - _e1107[0][2]);
-                                                                    let _e1253 = vec3<f32>(_e1250, _e1251, _e1252);
-                                                                    let _e1254 = (_e1107[2][0] - _e1107[1][0]);
-                                                                    let _e1255 = (_e1107[2][1] - _e1107[1][1]);
-                                                                    let _e1256 = (_e1107[2][2] - _e1107[1][2]);
-                                                                    let _e1257 = vec3<f32>(_e1254, _e1255, _e1256);
-                                                                    let _e1258 = (_e1107[0][0] - _e1107[2][0]);
-                                                                    let _e1259 = (_e1107[0][1] - _e1107[2][1]);
-                                                                    let _e1260 = (_e1107[0][2] - _e1107[2][2]);
-                                                                    let _e1261 = vec3<f32>(_e1258, _e1259, _e1260);
-                                                                    let _e1264 = bitcast<f32>((bitcast<u32>(_e1250) & 2147483647u));
-                                                                    let _e1267 = bitcast<f32>((bitcast<u32>(_e1251) & 2147483647u));
-                                                                    let _e1269 = select(_e1267, _e1264, (_e1264 > _e1267));
-                                                                    let _e1272 = bitcast<f32>((bitcast<u32>(_e1252) & 2147483647u));
-                                                                    let _e1274 = select(_e1272, _e1269, (_e1269 > _e1272));
-                                                                    let _e1277 = bitcast<f32>((bitcast<u32>(_e1254) & 2147483647u));
-                                                                    let _e1280 = bitcast<f32>((bitcast<u32>(_e1255) & 2147483647u));
-                                                                    let _e1282 = select(_e1280, _e1277, (_e1277 > _e1280));
-                                                                    let _e1285 = bitcast<f32>((bitcast<u32>(_e1256) & 2147483647u));
-                                                                    let _e1287 = select(_e1285, _e1282, (_e1282 > _e1285));
-                                                                    let _e1290 = bitcast<f32>((bitcast<u32>(_e1258) & 2147483647u));
-                                                                    let _e1293 = bitcast<f32>((bitcast<u32>(_e1259) & 2147483647u));
-                                                                    let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
-                                                                    let _e1298 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                    let _e1300 = select(_e1298, _e1295, (_e1295 > _e1298));
-                                                                    let _e1302 = select(_e1287, _e1274, (_e1274 > _e1287));
-                                                                    let _e1304 = select(_e1300, _e1302, (_e1302 > _e1300));
-                                                                    if (_e1274 == _e1304) {
-                                                                        phi_1590_ = _e1257;
-                                                                        phi_1591_ = _e1261;
+                                                                    let _e1201 = select(_e1136, _e1123, (_e1123 > _e1136));
+                                                                    phi_1271_ = (select(_e1149, _e1201, (_e1201 > _e1149)) < 0f);
+                                                                }
+                                                                let _e1206 = phi_1271_;
+                                                                if _e1206 {
+                                                                    phi_1948_ = type_22();
+                                                                    phi_1949_ = false;
+                                                                } else {
+                                                                    let _e1208 = select(_e1108[1][0], _e1108[0][0], (_e1108[0][0] < _e1108[1][0]));
+                                                                    let _e1212 = select(_e1108[1][0], _e1108[0][0], (_e1108[0][0] > _e1108[1][0]));
+                                                                    let _e1216 = select(_e1108[1][1], _e1108[0][1], (_e1108[0][1] < _e1108[1][1]));
+                                                                    let _e1220 = select(_e1108[1][1], _e1108[0][1], (_e1108[0][1] > _e1108[1][1]));
+                                                                    let _e1224 = select(_e1108[1][2], _e1108[0][2], (_e1108[0][2] < _e1108[1][2]));
+                                                                    let _e1228 = select(_e1108[1][2], _e1108[0][2], (_e1108[0][2] > _e1108[1][2]));
+                                                                    let _e1233 = ((select(_e1108[2][0], _e1208, (_e1208 < _e1108[2][0])) - _e321) * _e326);
+                                                                    let _e1234 = ((select(_e1108[2][0], _e1212, (_e1212 > _e1108[2][0])) - _e322) * _e326);
+                                                                    let _e1237 = ((select(_e1108[2][1], _e1216, (_e1216 < _e1108[2][1])) - _e357) * _e362);
+                                                                    let _e1238 = ((select(_e1108[2][1], _e1220, (_e1220 > _e1108[2][1])) - _e358) * _e362);
+                                                                    let _e1241 = ((select(_e1108[2][2], _e1224, (_e1224 < _e1108[2][2])) - _e393) * _e398);
+                                                                    let _e1242 = ((select(_e1108[2][2], _e1228, (_e1228 > _e1108[2][2])) - _e394) * _e398);
+                                                                    let _e1244 = select(_e1242, _e1241, (_e1241 < _e1242));
+                                                                    let _e1246 = select(_e1242, _e1241, (_e1241 > _e1242));
+                                                                    let _e1248 = select(_e1234, _e1233, (_e1233 < _e1234));
+                                                                    let _e1250 = select(_e1238, _e1237, (_e1237 < _e1238));
+                                                                    let _e1252 = select(_e1250, _e1248, (_e1248 > _e1250));
+                                                                    let _e1254 = select(_e1244, _e1252, (_e1252 > _e1244));
+                                                                    let _e1256 = select(_e1234, _e1233, (_e1233 > _e1234));
+                                                                    let _e1258 = select(_e1238, _e1237, (_e1237 > _e1238));
+                                                                    let _e1260 = select(_e1258, _e1256, (_e1256 < _e1258));
+                                                                    let _e1262 = select(_e1246, _e1260, (_e1260 < _e1246));
+                                                                    let _e1263 = -(_e1244);
+                                                                    let _e1269 = select(_e444, _e1254, (_e1254 > _e444));
+                                                                    if (_e1269 > (_e1262 + (select(_e1263, _e1246, (_e1246 > _e1263)) * 0.0000019073523f))) {
+                                                                        phi_1943_ = type_22();
+                                                                        phi_1944_ = true;
                                                                     } else {
-                                                                        let _e1307 = vec3((_e1287 == _e1304));
-                                                                        phi_1590_ = select(_e1253, _e1261, _e1307);
-                                                                        phi_1591_ = select(_e1257, _e1253, _e1307);
-                                                                    }
-                                                                    let _e1311 = phi_1590_;
-                                                                    let _e1313 = phi_1591_;
-                                                                    let _e1320 = ((_e1311.y * _e1313.z) - (_e1313.y * _e1311.z));
-                                                                    let _e1325 = ((_e1311.z * _e1313.x) - (_e1313.z * _e1311.x));
-                                                                    let _e1328 = ((_e1311.x * _e1313.y) - (_e1313.x * _e1311.y));
-                                                                    if (_e1170 >= _e1174) {
-                                                                        phi_1622_ = select(true, false, (_e1170 >= _e1178));
-                                                                    } else {
-                                                                        phi_1622_ = true;
-                                                                    }
-                                                                    let _e1333 = phi_1622_;
-                                                                    if _e1333 {
-                                                                        phi_1631_ = select(vec3<f32>(_e1107[2][0], _e1107[2][1], _e1107[2][2]), vec3<f32>(_e1107[1][0], _e1107[1][1], _e1107[1][2]), vec3((_e1174 >= _e1178)));
-                                                                    } else {
-                                                                        phi_1631_ = vec3<f32>(_e1107[0][0], _e1107[0][1], _e1107[0][2]);
-                                                                    }
-                                                                    let _e1338 = phi_1631_;
-                                                                    let _e1355 = ((((_e1320 * (_e1338.x - _e297)) + (_e1325 * (_e1338.y - _e334))) + (_e1328 * (_e1338.z - _e370))) / (((_e1320 * _e322) + (_e1325 * _e358)) + (_e1328 * _e394)));
-                                                                    let _e1357 = select(_e1237, _e1355, (_e1355 < _e1237));
-                                                                    let _e1359 = select(_e1229, _e1357, (_e1357 > _e1229));
-                                                                    if (_e1359 >= _e443) {
-                                                                        let _e1361 = (_e1359 <= _e1005.member.member_1);
-                                                                        if _e1361 {
-                                                                            let _e1362 = (1f / _e1180);
-                                                                            phi_1671_ = type_22(_e1359, (_e1174 * _e1362), (_e1178 * _e1362), _e1040);
+                                                                        let _e1271 = (_e1269 > _e1006.member.member_1);
+                                                                        if _e1271 {
+                                                                            phi_1942_ = type_22();
                                                                         } else {
-                                                                            phi_1671_ = type_22();
+                                                                            let _e1272 = vec3<f32>(_e1108[0][0], _e1108[0][1], _e1108[0][2]);
+                                                                            let _e1273 = vec3<f32>(_e1108[1][0], _e1108[1][1], _e1108[1][2]);
+                                                                            let _e1274 = vec3<f32>(_e1108[2][0], _e1108[2][1], _e1108[2][2]);
+                                                                            let _e1275 = (_e1108[1][0] - _e1108[0][0]);
+                                                                            let _e1276 = (_e1108[1][1] - _e1108[0][1]);
+                                                                            let _e1277 = (_e1108[1][2] - _e1108[0][2]);
+                                                                            let _e1278 = vec3<f32>(_e1275, _e1276, _e1277);
+                                                                            let _e1279 = (_e1108[2][0] - _e1108[1][0]);
+                                                                            let _e1280 = (_e1108[2][1] - _e1108[1][1]);
+                                                                            let _e1281 = (_e1108[2][2] - _e1108[1][2]);
+                                                                            let _e1282 = vec3<f32>(_e1279, _e1280, _e1281);
+                                                                            let _e1283 = (_e1108[0][0] - _e1108[2][0]);
+                                                                            let _e1284 = (_e1108[0][1] - _e1108[2][1]);
+                                                                            let _e1285 = (_e1108[0][2] - _e1108[2][2]);
+                                                                            let _e1286 = vec3<f32>(_e1283, _e1284, _e1285);
+                                                                            let _e1289 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
+                                                                            let _e1292 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
+                                                                            let _e1294 = select(_e1292, _e1289, (_e1289 > _e1292));
+                                                                            let _e1297 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
+                                                                            let _e1299 = select(_e1297, _e1294, (_e1294 > _e1297));
+                                                                            let _e1302 = bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u));
+                                                                            let _e1305 = bitcast<f32>((bitcast<u32>(_e1280) & 2147483647u));
+                                                                            let _e1307 = select(_e1305, _e1302, (_e1302 > _e1305));
+                                                                            let _e1310 = bitcast<f32>((bitcast<u32>(_e1281) & 2147483647u));
+                                                                            let _e1312 = select(_e1310, _e1307, (_e1307 > _e1310));
+                                                                            let _e1315 = bitcast<f32>((bitcast<u32>(_e1283) & 2147483647u));
+                                                                            let _e1318 = bitcast<f32>((bitcast<u32>(_e1284) & 2147483647u));
+                                                                            let _e1320 = select(_e1318, _e1315, (_e1315 > _e1318));
+                                                                            let _e1323 = bitcast<f32>((bitcast<u32>(_e1285) & 2147483647u));
+                                                                            let _e1325 = select(_e1323, _e1320, (_e1320 > _e1323));
+                                                                            let _e1327 = select(_e1312, _e1299, (_e1299 > _e1312));
+                                                                            let _e1329 = select(_e1325, _e1327, (_e1327 > _e1325));
+                                                                            if (_e1299 == _e1329) {
+                                                                                phi_1672_ = _e1136;
+                                                                                phi_1673_ = _e1133;
+                                                                                phi_1674_ = _e1123;
+                                                                                phi_1675_ = _e1120;
+                                                                                phi_1676_ = _e1272;
+                                                                                phi_1677_ = _e1286;
+                                                                                phi_1678_ = _e1282;
+                                                                                phi_1679_ = _e1278;
+                                                                            } else {
+                                                                                let _e1331 = (_e1312 == _e1329);
+                                                                                let _e1336 = vec3(_e1331);
+                                                                                phi_1672_ = select(_e1123, _e1149, _e1331);
+                                                                                phi_1673_ = select(_e1120, _e1146, _e1331);
+                                                                                phi_1674_ = select(_e1149, _e1136, _e1331);
+                                                                                phi_1675_ = select(_e1146, _e1133, _e1331);
+                                                                                phi_1676_ = select(_e1274, _e1273, _e1336);
+                                                                                phi_1677_ = select(_e1282, _e1278, _e1336);
+                                                                                phi_1678_ = select(_e1278, _e1286, _e1336);
+                                                                                phi_1679_ = select(_e1286, _e1282, _e1336);
+                                                                            }
+                                                                            let _e1342 = phi_1672_;
+                                                                            let _e1344 = phi_1673_;
+                                                                            let _e1346 = phi_1674_;
+                                                                            let _e1348 = phi_1675_;
+                                                                            let _e1350 = phi_1676_;
+                                                                            let _e1352 = phi_1677_;
+                                                                            let _e1354 = phi_1678_;
+                                                                            let _e1356 = phi_1679_;
+                                                                            let _e1363 = ((_e1354.y * _e1352.z) - (_e1352.y * _e1354.z));
+                                                                            let _e1368 = ((_e1354.z * _e1352.x) - (_e1352.z * _e1354.x));
+                                                                            let _e1371 = ((_e1354.x * _e1352.y) - (_e1352.x * _e1354.y));
+                                                                            if (_e1171 >= _e1175) {
+                                                                                phi_1710_ = select(true, false, (_e1171 >= _e1179));
+                                                                            } else {
+                                                                                phi_1710_ = true;
+                                                                            }
+                                                                            let _e1376 = phi_1710_;
+                                                                            if _e1376 {
+                                                                                phi_1719_ = select(_e1274, _e1273, vec3((_e1175 >= _e1179)));
+                                                                            } else {
+                                                                                phi_1719_ = _e1272;
+                                                                            }
+                                                                            let _e1381 = phi_1719_;
+                                                                            let _e1386 = (((_e1363 * _e323) + (_e1368 * _e359)) + (_e1371 * _e395));
+                                                                            let _e1397 = (((_e1363 * (_e1381.x - _e298)) + (_e1368 * (_e1381.y - _e335))) + (_e1371 * (_e1381.z - _e371)));
+                                                                            let _e1399 = (_e1344 - _e1348);
+                                                                            let _e1400 = (_e1342 - _e1346);
+                                                                            let _e1408 = (-(((_e1348 * _e1399) + (_e1346 * _e1400))) / ((_e1399 * _e1399) + (_e1400 * _e1400)));
+                                                                            let _e1410 = select(1f, _e1408, (_e1408 < 1f));
+                                                                            let _e1412 = select(0f, _e1410, (_e1410 > 0f));
+                                                                            let _e1425 = ((_e1350.x + (_e1356.x * _e1412)) - _e298);
+                                                                            let _e1426 = ((_e1350.y + (_e1356.y * _e1412)) - _e335);
+                                                                            let _e1427 = ((_e1350.z + (_e1356.z * _e1412)) - _e371);
+                                                                            let _e1428 = (_e1427 / _e395);
+                                                                            let _e1440 = bitcast<f32>((bitcast<u32>(_e1425) & 2147483647u));
+                                                                            let _e1443 = bitcast<f32>((bitcast<u32>(_e1426) & 2147483647u));
+                                                                            let _e1445 = select(_e1443, _e1440, (_e1440 > _e1443));
+                                                                            let _e1448 = bitcast<f32>((bitcast<u32>(_e1427) & 2147483647u));
+                                                                            let _e1450 = select(_e1448, _e1445, (_e1445 > _e1448));
+                                                                            let _e1456 = bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u));
+                                                                            let _e1459 = bitcast<f32>((bitcast<u32>(_e1368) & 2147483647u));
+                                                                            let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
+                                                                            let _e1464 = bitcast<f32>((bitcast<u32>(_e1371) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1363 * _e1425) + (_e1368 * _e1426)) + (_e1371 * _e1427)) - _e1397)) & 2147483647u)) <= ((0.0000009536743f * select(_e1329, _e1450, (_e1450 > _e1329))) * select(_e1464, _e1461, (_e1461 > _e1464)))) {
+                                                                                let _e1474 = bitcast<f32>((bitcast<u32>(_e1354.x) & 2147483647u));
+                                                                                let _e1477 = bitcast<f32>((bitcast<u32>(_e1354.y) & 2147483647u));
+                                                                                let _e1479 = select(_e1477, _e1474, (_e1474 > _e1477));
+                                                                                let _e1482 = bitcast<f32>((bitcast<u32>(_e1354.z) & 2147483647u));
+                                                                                let _e1488 = bitcast<f32>((bitcast<u32>(_e1352.x) & 2147483647u));
+                                                                                let _e1491 = bitcast<f32>((bitcast<u32>(_e1352.y) & 2147483647u));
+                                                                                let _e1493 = select(_e1491, _e1488, (_e1488 > _e1491));
+                                                                                let _e1496 = bitcast<f32>((bitcast<u32>(_e1352.z) & 2147483647u));
+                                                                                phi_1886_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1386) & 2147483647u)) > ((0.0000038146973f * select(_e1482, _e1479, (_e1479 > _e1482))) * select(_e1496, _e1493, (_e1493 > _e1496)))));
+                                                                            } else {
+                                                                                phi_1886_ = true;
+                                                                            }
+                                                                            let _e1503 = phi_1886_;
+                                                                            if _e1503 {
+                                                                                let _e1514 = ((((_e1363 * (_e1425 - (_e323 * _e1428))) + (_e1368 * (_e1426 - (_e359 * _e1428)))) + (_e1371 * (_e1427 - _e1427))) / _e1386);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1514) & 2147483647u)) <= _e1329) {
+                                                                                    phi_1910_ = (_e1428 + _e1514);
+                                                                                } else {
+                                                                                    phi_1910_ = _e1428;
+                                                                                }
+                                                                                let _e1521 = phi_1910_;
+                                                                                phi_1911_ = _e1521;
+                                                                            } else {
+                                                                                phi_1911_ = (_e1397 / _e1386);
+                                                                            }
+                                                                            let _e1523 = phi_1911_;
+                                                                            let _e1525 = select(_e1262, _e1523, (_e1523 < _e1262));
+                                                                            let _e1527 = select(_e1254, _e1525, (_e1525 > _e1254));
+                                                                            if (_e1527 >= _e444) {
+                                                                                let _e1529 = (_e1527 <= _e1006.member.member_1);
+                                                                                if _e1529 {
+                                                                                    let _e1530 = (1f / _e1181);
+                                                                                    phi_1934_ = type_22(_e1527, (_e1175 * _e1530), (_e1179 * _e1530), _e1041);
+                                                                                } else {
+                                                                                    phi_1934_ = type_22();
+                                                                                }
+                                                                                let _e1535 = phi_1934_;
+                                                                                phi_1936_ = _e1535;
+                                                                                phi_1937_ = select(true, false, _e1529);
+                                                                            } else {
+                                                                                phi_1936_ = type_22();
+                                                                                phi_1937_ = true;
+                                                                            }
+                                                                            let _e1538 = phi_1936_;
+                                                                            let _e1540 = phi_1937_;
+                                                                            if _e1540 {
+                                                                                phi_1941_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_1941_ = _e1538;
+                                                                            }
+                                                                            let _e1542 = phi_1941_;
+                                                                            phi_1942_ = _e1542;
                                                                         }
-                                                                        let _e1367 = phi_1671_;
-                                                                        phi_1673_ = _e1367;
-                                                                        phi_1674_ = select(true, false, _e1361);
-                                                                    } else {
-                                                                        phi_1673_ = type_22();
-                                                                        phi_1674_ = true;
+                                                                        let _e1544 = phi_1942_;
+                                                                        phi_1943_ = _e1544;
+                                                                        phi_1944_ = _e1271;
                                                                     }
-                                                                    let _e1370 = phi_1673_;
-                                                                    let _e1372 = phi_1674_;
-                                                                    if _e1372 {
-                                                                        phi_1678_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1678_ = _e1370;
-                                                                    }
-                                                                    let _e1374 = phi_1678_;
-                                                                    phi_1679_ = _e1374;
+                                                                    let _e1546 = phi_1943_;
+                                                                    let _e1548 = phi_1944_;
+                                                                    phi_1948_ = _e1546;
+                                                                    phi_1949_ = _e1548;
                                                                 }
-                                                                let _e1376 = phi_1679_;
-                                                                phi_1680_ = _e1376;
-                                                                phi_1681_ = _e1246;
+                                                                let _e1550 = phi_1948_;
+                                                                let _e1552 = phi_1949_;
+                                                                phi_1950_ = _e1550;
+                                                                phi_1951_ = _e1206;
+                                                                phi_1952_ = _e1552;
                                                             }
-                                                            let _e1378 = phi_1680_;
-                                                            let _e1380 = phi_1681_;
-                                                            phi_1685_ = _e1378;
-                                                            phi_1686_ = _e1380;
+                                                            let _e1554 = phi_1950_;
+                                                            let _e1556 = phi_1951_;
+                                                            let _e1558 = phi_1952_;
+                                                            phi_1953_ = _e1554;
+                                                            phi_1954_ = _e1556;
+                                                            phi_1955_ = _e1558;
                                                         }
-                                                        let _e1382 = phi_1685_;
-                                                        let _e1384 = phi_1686_;
-                                                        phi_1690_ = _e1382;
-                                                        phi_1691_ = _e1384;
+                                                        let _e1560 = phi_1953_;
+                                                        let _e1562 = phi_1954_;
+                                                        let _e1564 = phi_1955_;
+                                                        phi_1963_ = _e1560;
+                                                        phi_1964_ = select(_e1564, true, _e1562);
                                                     } else {
-                                                        phi_1690_ = type_22();
-                                                        phi_1691_ = true;
+                                                        phi_1963_ = type_22();
+                                                        phi_1964_ = true;
                                                     }
-                                                    let _e1386 = phi_1690_;
-                                                    let _e1388 = phi_1691_;
-                                                    if _e1388 {
-                                                        phi_1695_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1567 = phi_1963_;
+                                                    let _e1569 = phi_1964_;
+                                                    if _e1569 {
+                                                        phi_1968_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1695_ = _e1386;
+                                                        phi_1968_ = _e1567;
                                                     }
-                                                    let _e1390 = phi_1695_;
-                                                    if (_e1390.member_3 != 4294967295u) {
-                                                        if (_e1040 != _e449) {
-                                                            if (_e1390.member < _e1005.member.member.member) {
-                                                                phi_1721_ = true;
+                                                    let _e1571 = phi_1968_;
+                                                    if (_e1571.member_3 != 4294967295u) {
+                                                        if (_e1041 != _e450) {
+                                                            if (_e1571.member < _e1006.member.member.member) {
+                                                                phi_1994_ = true;
                                                             } else {
-                                                                if (_e1390.member == _e1005.member.member.member) {
-                                                                    phi_1720_ = (_e1390.member_3 < _e1005.member.member.member_3);
+                                                                if (_e1571.member == _e1006.member.member.member) {
+                                                                    phi_1993_ = (_e1571.member_3 < _e1006.member.member.member_3);
                                                                 } else {
-                                                                    phi_1720_ = false;
+                                                                    phi_1993_ = false;
                                                                 }
-                                                                let _e1405 = phi_1720_;
-                                                                phi_1721_ = _e1405;
+                                                                let _e1586 = phi_1993_;
+                                                                phi_1994_ = _e1586;
                                                             }
-                                                            let _e1407 = phi_1721_;
-                                                            if _e1407 {
-                                                                phi_1728_ = type_42(type_38(_e1390, _e1390.member), _e1032.member_1, _e1032.member_2);
+                                                            let _e1588 = phi_1994_;
+                                                            if _e1588 {
+                                                                phi_2001_ = type_42(type_38(_e1571, _e1571.member), _e1033.member_1, _e1033.member_2);
                                                             } else {
-                                                                phi_1728_ = _e1032;
+                                                                phi_2001_ = _e1033;
                                                             }
-                                                            let _e1414 = phi_1728_;
-                                                            phi_1729_ = _e1414;
+                                                            let _e1595 = phi_2001_;
+                                                            phi_2002_ = _e1595;
                                                         } else {
-                                                            phi_1729_ = _e1032;
+                                                            phi_2002_ = _e1033;
                                                         }
-                                                        let _e1416 = phi_1729_;
-                                                        phi_1730_ = _e1416;
+                                                        let _e1597 = phi_2002_;
+                                                        phi_2003_ = _e1597;
                                                     } else {
-                                                        phi_1730_ = _e1032;
+                                                        phi_2003_ = _e1033;
                                                     }
-                                                    let _e1418 = phi_1730_;
-                                                    phi_981_ = _e1418;
+                                                    let _e1599 = phi_2003_;
+                                                    phi_987_ = _e1599;
                                                 } else {
-                                                    phi_981_ = type_42();
+                                                    phi_987_ = type_42();
                                                 }
-                                                let _e1420 = phi_981_;
+                                                let _e1601 = phi_987_;
                                                 continue;
                                                 continuing {
-                                                    phi_980_ = _e1420;
-                                                    phi_983_ = _e1020;
-                                                    phi_3315_ = _e490;
-                                                    break if !(_e1026);
+                                                    phi_986_ = _e1601;
+                                                    phi_989_ = _e1021;
+                                                    phi_3588_ = _e491;
+                                                    break if !(_e1027);
                                                 }
                                             }
-                                            let _e1423 = phi_3315_;
-                                            phi_3429_ = _e1423;
-                                            if _e1423 {
+                                            let _e1604 = phi_3588_;
+                                            phi_3730_ = _e1604;
+                                            if _e1604 {
                                                 break;
                                             }
-                                            phi_3433_ = _e1423;
-                                            let _e1640 = local_12;
-                                            phi_2938_ = _e1640;
-                                            phi_2939_ = _e532;
-                                            phi_2940_ = false;
-                                            phi_2941_ = _e536;
+                                            phi_3734_ = _e1604;
+                                            let _e1838 = local_12;
+                                            phi_3211_ = _e1838;
+                                            phi_3212_ = _e533;
+                                            phi_3213_ = false;
+                                            phi_3214_ = _e537;
                                         } else {
-                                            if (_e532.member_1 >= _e85) {
-                                                phi_2494_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e533.member_1 >= _e86) {
+                                                phi_2767_ = type_54(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_53(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e532.member_1 < _e85) {
+                                                if (_e533.member_1 < _e86) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e553 = (_e265 * 2u);
-                                                let _e555 = ((1u + _e553) % 7u);
-                                                if (_e555 < 7u) {
+                                                let _e554 = (_e266 * 2u);
+                                                let _e556 = ((1u + _e554) % 7u);
+                                                if (_e556 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e560 = global_7.member[_e532.member_1][_e555];
-                                                let _e562 = ((_e553 + 2u) % 7u);
-                                                if (_e562 < 7u) {
+                                                let _e561 = global_7.member[_e533.member_1][_e556];
+                                                let _e563 = ((_e554 + 2u) % 7u);
+                                                if (_e563 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e567 = global_7.member[_e532.member_1][_e562];
-                                                let _e568 = (_e264 * 2u);
-                                                let _e570 = ((1u + _e568) % 7u);
-                                                if (_e570 < 7u) {
+                                                let _e568 = global_7.member[_e533.member_1][_e563];
+                                                let _e569 = (_e265 * 2u);
+                                                let _e571 = ((1u + _e569) % 7u);
+                                                if (_e571 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e575 = global_7.member[_e532.member_1][_e570];
-                                                let _e577 = ((_e568 + 2u) % 7u);
-                                                if (_e577 < 7u) {
+                                                let _e576 = global_7.member[_e533.member_1][_e571];
+                                                let _e578 = ((_e569 + 2u) % 7u);
+                                                if (_e578 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e582 = global_7.member[_e532.member_1][_e577];
-                                                let _e583 = (_e266 * 2u);
-                                                let _e585 = ((1u + _e583) % 7u);
-                                                if (_e585 < 7u) {
+                                                let _e583 = global_7.member[_e533.member_1][_e578];
+                                                let _e584 = (_e267 * 2u);
+                                                let _e586 = ((1u + _e584) % 7u);
+                                                if (_e586 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e590 = global_7.member[_e532.member_1][_e585];
-                                                let _e592 = ((_e583 + 2u) % 7u);
-                                                if (_e592 < 7u) {
+                                                let _e591 = global_7.member[_e533.member_1][_e586];
+                                                let _e593 = ((_e584 + 2u) % 7u);
+                                                if (_e593 < 7u) {
                                                 } else {
-                                                    phi_3429_ = true;
+                                                    phi_3730_ = true;
                                                     break;
                                                 }
-                                                let _e597 = global_7.member[_e532.member_1][_e592];
-                                                let _e620 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.x - _e532.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e621 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.y - _e532.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e622 = (bitcast<f32>((bitcast<u32>((_e532.member.member_1.z - _e532.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e624 = select(_e139, _e620, (_e620 > _e139));
-                                                let _e626 = select(_e139, _e621, (_e621 > _e139));
-                                                let _e628 = select(_e139, _e622, (_e622 > _e139));
-                                                let _e653 = bitcast<u32>((f32(bitcast<i32>((_e560 & 2097151u))) * _e624));
-                                                let _e658 = (bitcast<i32>((_e560 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e661 = bitcast<f32>((_e653 & bitcast<u32>(_e658)));
-                                                let _e662 = bitcast<u32>((f32(bitcast<i32>((_e575 & 2097151u))) * _e626));
-                                                let _e667 = (bitcast<i32>((_e575 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e670 = bitcast<f32>((_e662 & bitcast<u32>(_e667)));
-                                                let _e671 = bitcast<u32>((f32(bitcast<i32>((_e590 & 2097151u))) * _e628));
-                                                let _e676 = (bitcast<i32>((_e590 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e679 = bitcast<f32>((_e671 & bitcast<u32>(_e676)));
-                                                let _e683 = bitcast<f32>((_e653 & bitcast<u32>(~(_e658))));
-                                                let _e687 = bitcast<f32>((_e662 & bitcast<u32>(~(_e667))));
-                                                let _e691 = bitcast<f32>((_e671 & bitcast<u32>(~(_e676))));
-                                                let _e692 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e624));
-                                                let _e697 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e700 = bitcast<f32>((_e692 & bitcast<u32>(_e697)));
-                                                let _e701 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e626));
-                                                let _e706 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e709 = bitcast<f32>((_e701 & bitcast<u32>(_e706)));
-                                                let _e710 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e628));
-                                                let _e715 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e718 = bitcast<f32>((_e710 & bitcast<u32>(_e715)));
-                                                let _e722 = bitcast<f32>((_e692 & bitcast<u32>(~(_e697))));
-                                                let _e726 = bitcast<f32>((_e701 & bitcast<u32>(~(_e706))));
-                                                let _e730 = bitcast<f32>((_e710 & bitcast<u32>(~(_e715))));
-                                                let _e760 = global_7.member[_e532.member_1][0u];
-                                                let _e764 = global_7.member[_e532.member_1][2u];
-                                                let _e768 = global_7.member[_e532.member_1][4u];
-                                                let _e772 = global_7.member[_e532.member_1][6u];
-                                                let _e784 = (((_e764 >> bitcast<u32>(22i)) | ((_e768 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e772 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e785 = (_e760 & 268435455u);
-                                                let _e786 = (_e784 & 268435455u);
-                                                let _e789 = ((_e760 >> bitcast<u32>(28u)) & 7u);
-                                                let _e797 = ((_e760 >> bitcast<u32>(31i)) | (((_e784 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e798 = (_e789 != 0u);
-                                                if (_e789 == 0u) {
-                                                    phi_2456_ = _e785;
+                                                let _e598 = global_7.member[_e533.member_1][_e593];
+                                                let _e621 = (bitcast<f32>((bitcast<u32>((_e533.member.member_1.x - _e533.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e622 = (bitcast<f32>((bitcast<u32>((_e533.member.member_1.y - _e533.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e623 = (bitcast<f32>((bitcast<u32>((_e533.member.member_1.z - _e533.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e625 = select(_e140, _e621, (_e621 > _e140));
+                                                let _e627 = select(_e140, _e622, (_e622 > _e140));
+                                                let _e629 = select(_e140, _e623, (_e623 > _e140));
+                                                let _e654 = bitcast<u32>((f32(bitcast<i32>((_e561 & 2097151u))) * _e625));
+                                                let _e659 = (bitcast<i32>((_e561 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e662 = bitcast<f32>((_e654 & bitcast<u32>(_e659)));
+                                                let _e663 = bitcast<u32>((f32(bitcast<i32>((_e576 & 2097151u))) * _e627));
+                                                let _e668 = (bitcast<i32>((_e576 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e671 = bitcast<f32>((_e663 & bitcast<u32>(_e668)));
+                                                let _e672 = bitcast<u32>((f32(bitcast<i32>((_e591 & 2097151u))) * _e629));
+                                                let _e677 = (bitcast<i32>((_e591 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e680 = bitcast<f32>((_e672 & bitcast<u32>(_e677)));
+                                                let _e684 = bitcast<f32>((_e654 & bitcast<u32>(~(_e659))));
+                                                let _e688 = bitcast<f32>((_e663 & bitcast<u32>(~(_e668))));
+                                                let _e692 = bitcast<f32>((_e672 & bitcast<u32>(~(_e677))));
+                                                let _e693 = bitcast<u32>((f32(bitcast<i32>((_e568 & 2097151u))) * _e625));
+                                                let _e698 = (bitcast<i32>((_e568 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e701 = bitcast<f32>((_e693 & bitcast<u32>(_e698)));
+                                                let _e702 = bitcast<u32>((f32(bitcast<i32>((_e583 & 2097151u))) * _e627));
+                                                let _e707 = (bitcast<i32>((_e583 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e710 = bitcast<f32>((_e702 & bitcast<u32>(_e707)));
+                                                let _e711 = bitcast<u32>((f32(bitcast<i32>((_e598 & 2097151u))) * _e629));
+                                                let _e716 = (bitcast<i32>((_e598 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e719 = bitcast<f32>((_e711 & bitcast<u32>(_e716)));
+                                                let _e723 = bitcast<f32>((_e693 & bitcast<u32>(~(_e698))));
+                                                let _e727 = bitcast<f32>((_e702 & bitcast<u32>(~(_e707))));
+                                                let _e731 = bitcast<f32>((_e711 & bitcast<u32>(~(_e716))));
+                                                let _e761 = global_7.member[_e533.member_1][0u];
+                                                let _e765 = global_7.member[_e533.member_1][2u];
+                                                let _e769 = global_7.member[_e533.member_1][4u];
+                                                let _e773 = global_7.member[_e533.member_1][6u];
+                                                let _e785 = (((_e765 >> bitcast<u32>(22i)) | ((_e769 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e773 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e786 = (_e761 & 268435455u);
+                                                let _e787 = (_e785 & 268435455u);
+                                                let _e790 = ((_e761 >> bitcast<u32>(28u)) & 7u);
+                                                let _e798 = ((_e761 >> bitcast<u32>(31i)) | (((_e785 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e799 = (_e790 != 0u);
+                                                if (_e790 == 0u) {
+                                                    phi_2729_ = _e786;
                                                 } else {
-                                                    if (_e789 == 7u) {
-                                                        phi_2455_ = 2147483648u;
+                                                    if (_e790 == 7u) {
+                                                        phi_2728_ = 2147483648u;
                                                     } else {
-                                                        phi_2455_ = ((2147483648u | (_e789 << bitcast<u32>(28u))) | (_e786 & 268435455u));
+                                                        phi_2728_ = ((2147483648u | (_e790 << bitcast<u32>(28u))) | (_e787 & 268435455u));
                                                     }
-                                                    let _e807 = phi_2455_;
-                                                    phi_2456_ = _e807;
+                                                    let _e808 = phi_2728_;
+                                                    phi_2729_ = _e808;
                                                 }
-                                                let _e809 = phi_2456_;
-                                                if _e798 {
-                                                    let _e810 = (_e789 != 7u);
-                                                    if _e810 {
-                                                        phi_2466_ = (_e786 + _e789);
+                                                let _e810 = phi_2729_;
+                                                if _e799 {
+                                                    let _e811 = (_e790 != 7u);
+                                                    if _e811 {
+                                                        phi_2739_ = (_e787 + _e790);
                                                     } else {
-                                                        phi_2466_ = u32();
+                                                        phi_2739_ = u32();
                                                     }
-                                                    let _e813 = phi_2466_;
-                                                    phi_2468_ = _e813;
-                                                    phi_2469_ = select(true, false, _e810);
+                                                    let _e814 = phi_2739_;
+                                                    phi_2741_ = _e814;
+                                                    phi_2742_ = select(true, false, _e811);
                                                 } else {
-                                                    phi_2468_ = u32();
-                                                    phi_2469_ = true;
+                                                    phi_2741_ = u32();
+                                                    phi_2742_ = true;
                                                 }
-                                                let _e816 = phi_2468_;
-                                                let _e818 = phi_2469_;
-                                                if (_e797 == 0u) {
-                                                    phi_2490_ = (_e785 + select(0u, 1u, !(_e798)));
+                                                let _e817 = phi_2741_;
+                                                let _e819 = phi_2742_;
+                                                if (_e798 == 0u) {
+                                                    phi_2763_ = (_e786 + select(0u, 1u, !(_e799)));
                                                 } else {
-                                                    if (_e797 == 7u) {
-                                                        phi_2489_ = 2147483648u;
+                                                    if (_e798 == 7u) {
+                                                        phi_2762_ = 2147483648u;
                                                     } else {
-                                                        phi_2489_ = ((2147483648u | (_e797 << bitcast<u32>(28u))) | (select(_e816, _e786, _e818) & 268435455u));
+                                                        phi_2762_ = ((2147483648u | (_e798 << bitcast<u32>(28u))) | (select(_e817, _e787, _e819) & 268435455u));
                                                     }
-                                                    let _e831 = phi_2489_;
-                                                    phi_2490_ = _e831;
+                                                    let _e832 = phi_2762_;
+                                                    phi_2763_ = _e832;
                                                 }
-                                                let _e833 = phi_2490_;
-                                                phi_2494_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e532.member.member.x + _e661), (_e532.member.member.x + _e683), (_e532.member.member_1.x - _e700), (_e532.member.member_1.x - _e722)), vec4<f32>((_e532.member.member.y + _e670), (_e532.member.member.y + _e687), (_e532.member.member_1.y - _e709), (_e532.member.member_1.y - _e726)), vec4<f32>((_e532.member.member.z + _e679), (_e532.member.member.z + _e691), (_e532.member.member_1.z - _e718), (_e532.member.member_1.z - _e730))), type_53(type_34((_e532.member.member + vec4<f32>(_e661, _e670, _e679, 0f)), (_e532.member.member_1 - vec4<f32>(_e700, _e709, _e718, 0f))), _e809), type_53(type_34((_e532.member.member + vec4<f32>(_e683, _e687, _e691, 0f)), (_e532.member.member_1 - vec4<f32>(_e722, _e726, _e730, 0f))), _e833));
+                                                let _e834 = phi_2763_;
+                                                phi_2767_ = type_54(array<vec4<f32>, 3>(vec4<f32>((_e533.member.member.x + _e662), (_e533.member.member.x + _e684), (_e533.member.member_1.x - _e701), (_e533.member.member_1.x - _e723)), vec4<f32>((_e533.member.member.y + _e671), (_e533.member.member.y + _e688), (_e533.member.member_1.y - _e710), (_e533.member.member_1.y - _e727)), vec4<f32>((_e533.member.member.z + _e680), (_e533.member.member.z + _e692), (_e533.member.member_1.z - _e719), (_e533.member.member_1.z - _e731))), type_53(type_34((_e533.member.member + vec4<f32>(_e662, _e671, _e680, 0f)), (_e533.member.member_1 - vec4<f32>(_e701, _e710, _e719, 0f))), _e810), type_53(type_34((_e533.member.member + vec4<f32>(_e684, _e688, _e692, 0f)), (_e533.member.member_1 - vec4<f32>(_e723, _e727, _e731, 0f))), _e834));
                                             }
-                                            let _e838 = phi_2494_;
-                                            let _e851 = ((_e838.member[0].x - _e320) * _e325);
-                                            let _e852 = ((_e838.member[0].y - _e320) * _e325);
-                                            let _e853 = ((_e838.member[0].z - _e321) * _e325);
-                                            let _e854 = ((_e838.member[0].w - _e321) * _e325);
-                                            let _e864 = ((_e838.member[1].x - _e356) * _e361);
-                                            let _e865 = ((_e838.member[1].y - _e356) * _e361);
-                                            let _e866 = ((_e838.member[1].z - _e357) * _e361);
-                                            let _e867 = ((_e838.member[1].w - _e357) * _e361);
-                                            let _e877 = ((_e838.member[2].x - _e392) * _e397);
-                                            let _e878 = ((_e838.member[2].y - _e392) * _e397);
-                                            let _e879 = ((_e838.member[2].z - _e393) * _e397);
-                                            let _e880 = ((_e838.member[2].w - _e393) * _e397);
-                                            let _e882 = select(_e879, _e877, (_e877 < _e879));
-                                            let _e884 = select(_e880, _e878, (_e878 < _e880));
-                                            let _e886 = select(_e879, _e877, (_e877 > _e879));
-                                            let _e888 = select(_e880, _e878, (_e878 > _e880));
-                                            let _e890 = select(_e853, _e851, (_e851 < _e853));
-                                            let _e892 = select(_e854, _e852, (_e852 < _e854));
-                                            let _e894 = select(_e866, _e864, (_e864 < _e866));
-                                            let _e896 = select(_e867, _e865, (_e865 < _e867));
-                                            let _e898 = select(_e894, _e890, (_e890 > _e894));
-                                            let _e900 = select(_e896, _e892, (_e892 > _e896));
-                                            let _e902 = select(_e882, _e898, (_e898 > _e882));
-                                            let _e904 = select(_e884, _e900, (_e900 > _e884));
-                                            let _e906 = select(_e853, _e851, (_e851 > _e853));
-                                            let _e908 = select(_e854, _e852, (_e852 > _e854));
-                                            let _e910 = select(_e866, _e864, (_e864 > _e866));
-                                            let _e912 = select(_e867, _e865, (_e865 > _e867));
-                                            let _e914 = select(_e910, _e906, (_e906 < _e910));
-                                            let _e916 = select(_e912, _e908, (_e908 < _e912));
-                                            let _e921 = -(_e882);
-                                            let _e922 = -(_e884);
-                                            let _e929 = (select(_e886, _e914, (_e914 < _e886)) + (select(_e921, _e886, (_e886 > _e921)) * 0.0000019073523f));
-                                            let _e930 = (select(_e888, _e916, (_e916 < _e888)) + (select(_e922, _e888, (_e888 > _e922)) * 0.0000019073523f));
-                                            let _e932 = select(_e443, _e902, (_e902 > _e443));
-                                            let _e934 = select(_e443, _e904, (_e904 > _e443));
-                                            let _e939 = (_e932 <= select(_e492.member.member_1, _e929, (_e929 < _e492.member.member_1)));
-                                            let _e940 = (_e934 <= select(_e492.member.member_1, _e930, (_e930 < _e492.member.member_1)));
-                                            let _e941 = (_e932 <= _e934);
-                                            if _e939 {
+                                            let _e839 = phi_2767_;
+                                            let _e852 = ((_e839.member[0].x - _e321) * _e326);
+                                            let _e853 = ((_e839.member[0].y - _e321) * _e326);
+                                            let _e854 = ((_e839.member[0].z - _e322) * _e326);
+                                            let _e855 = ((_e839.member[0].w - _e322) * _e326);
+                                            let _e865 = ((_e839.member[1].x - _e357) * _e362);
+                                            let _e866 = ((_e839.member[1].y - _e357) * _e362);
+                                            let _e867 = ((_e839.member[1].z - _e358) * _e362);
+                                            let _e868 = ((_e839.member[1].w - _e358) * _e362);
+                                            let _e878 = ((_e839.member[2].x - _e393) * _e398);
+                                            let _e879 = ((_e839.member[2].y - _e393) * _e398);
+                                            let _e880 = ((_e839.member[2].z - _e394) * _e398);
+                                            let _e881 = ((_e839.member[2].w - _e394) * _e398);
+                                            let _e883 = select(_e880, _e878, (_e878 < _e880));
+                                            let _e885 = select(_e881, _e879, (_e879 < _e881));
+                                            let _e887 = select(_e880, _e878, (_e878 > _e880));
+                                            let _e889 = select(_e881, _e879, (_e879 > _e881));
+                                            let _e891 = select(_e854, _e852, (_e852 < _e854));
+                                            let _e893 = select(_e855, _e853, (_e853 < _e855));
+                                            let _e895 = select(_e867, _e865, (_e865 < _e867));
+                                            let _e897 = select(_e868, _e866, (_e866 < _e868));
+                                            let _e899 = select(_e895, _e891, (_e891 > _e895));
+                                            let _e901 = select(_e897, _e893, (_e893 > _e897));
+                                            let _e903 = select(_e883, _e899, (_e899 > _e883));
+                                            let _e905 = select(_e885, _e901, (_e901 > _e885));
+                                            let _e907 = select(_e854, _e852, (_e852 > _e854));
+                                            let _e909 = select(_e855, _e853, (_e853 > _e855));
+                                            let _e911 = select(_e867, _e865, (_e865 > _e867));
+                                            let _e913 = select(_e868, _e866, (_e866 > _e868));
+                                            let _e915 = select(_e911, _e907, (_e907 < _e911));
+                                            let _e917 = select(_e913, _e909, (_e909 < _e913));
+                                            let _e922 = -(_e883);
+                                            let _e923 = -(_e885);
+                                            let _e930 = (select(_e887, _e915, (_e915 < _e887)) + (select(_e922, _e887, (_e887 > _e922)) * 0.0000019073523f));
+                                            let _e931 = (select(_e889, _e917, (_e917 < _e889)) + (select(_e923, _e889, (_e889 > _e923)) * 0.0000019073523f));
+                                            let _e933 = select(_e444, _e903, (_e903 > _e444));
+                                            let _e935 = select(_e444, _e905, (_e905 > _e444));
+                                            let _e940 = (_e933 <= select(_e493.member.member_1, _e930, (_e930 < _e493.member.member_1)));
+                                            let _e941 = (_e935 <= select(_e493.member.member_1, _e931, (_e931 < _e493.member.member_1)));
+                                            let _e942 = (_e933 <= _e935);
+                                            if _e940 {
+                                                if _e941 {
+                                                    if _e942 {
+                                                        phi_3111_ = _e839.member_2;
+                                                    } else {
+                                                        phi_3111_ = _e839.member_1;
+                                                    }
+                                                    let _e946 = phi_3111_;
+                                                    let _e968 = (_e537 % 128u);
+                                                    let _e969 = (_e968 < 128u);
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_8[_e968] = _e946.member_1;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_7[_e968] = _e946.member.member.x;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_6[_e968] = _e946.member.member.y;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e968] = _e946.member.member.z;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e968] = _e946.member.member_1.x;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e968] = _e946.member.member_1.y;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e968] = _e946.member.member_1.z;
+                                                    if _e969 {
+                                                    } else {
+                                                        phi_3730_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e968] = select(_e935, _e933, (_e933 > _e935));
+                                                    if _e942 {
+                                                        phi_3188_ = _e839.member_1;
+                                                    } else {
+                                                        phi_3188_ = _e839.member_2;
+                                                    }
+                                                    let _e982 = phi_3188_;
+                                                    phi_3189_ = _e982;
+                                                    phi_3190_ = (_e537 + 1u);
+                                                } else {
+                                                    phi_3189_ = type_53();
+                                                    phi_3190_ = u32();
+                                                }
+                                                let _e984 = phi_3189_;
+                                                let _e986 = phi_3190_;
+                                                phi_3192_ = _e984;
+                                                phi_3193_ = _e986;
+                                                phi_3194_ = select(true, false, _e941);
+                                            } else {
+                                                phi_3192_ = type_53();
+                                                phi_3193_ = u32();
+                                                phi_3194_ = true;
+                                            }
+                                            let _e989 = phi_3192_;
+                                            let _e991 = phi_3193_;
+                                            let _e993 = phi_3194_;
+                                            if _e993 {
                                                 if _e940 {
-                                                    if _e941 {
-                                                        phi_2838_ = _e838.member_2;
-                                                    } else {
-                                                        phi_2838_ = _e838.member_1;
-                                                    }
-                                                    let _e945 = phi_2838_;
-                                                    let _e967 = (_e536 % 128u);
-                                                    let _e968 = (_e967 < 128u);
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_8[_e967] = _e945.member_1;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_7[_e967] = _e945.member.member.x;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_6[_e967] = _e945.member.member.y;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_5[_e967] = _e945.member.member.z;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_4[_e967] = _e945.member.member_1.x;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_3[_e967] = _e945.member.member_1.y;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_2[_e967] = _e945.member.member_1.z;
-                                                    if _e968 {
-                                                    } else {
-                                                        phi_3429_ = true;
-                                                        break;
-                                                    }
-                                                    local_9[_e967] = select(_e934, _e932, (_e932 > _e934));
-                                                    if _e941 {
-                                                        phi_2915_ = _e838.member_1;
-                                                    } else {
-                                                        phi_2915_ = _e838.member_2;
-                                                    }
-                                                    let _e981 = phi_2915_;
-                                                    phi_2916_ = _e981;
-                                                    phi_2917_ = (_e536 + 1u);
+                                                    phi_3203_ = _e839.member_1;
                                                 } else {
-                                                    phi_2916_ = type_53();
-                                                    phi_2917_ = u32();
+                                                    phi_3203_ = _e839.member_2;
                                                 }
-                                                let _e983 = phi_2916_;
-                                                let _e985 = phi_2917_;
-                                                phi_2919_ = _e983;
-                                                phi_2920_ = _e985;
-                                                phi_2921_ = select(true, false, _e940);
+                                                let _e997 = phi_3203_;
+                                                phi_3208_ = _e997;
+                                                phi_3209_ = select(_e941, true, _e940);
                                             } else {
-                                                phi_2919_ = type_53();
-                                                phi_2920_ = u32();
-                                                phi_2921_ = true;
+                                                phi_3208_ = _e989;
+                                                phi_3209_ = _e535;
                                             }
-                                            let _e988 = phi_2919_;
-                                            let _e990 = phi_2920_;
-                                            let _e992 = phi_2921_;
-                                            if _e992 {
-                                                if _e939 {
-                                                    phi_2930_ = _e838.member_1;
-                                                } else {
-                                                    phi_2930_ = _e838.member_2;
-                                                }
-                                                let _e996 = phi_2930_;
-                                                phi_2935_ = _e996;
-                                                phi_2936_ = select(_e940, true, _e939);
-                                            } else {
-                                                phi_2935_ = _e988;
-                                                phi_2936_ = _e534;
-                                            }
-                                            let _e999 = phi_2935_;
-                                            let _e1001 = phi_2936_;
-                                            phi_3433_ = _e490;
-                                            phi_2938_ = type_42(_e492.member, (_e492.member_1 + 1u), _e492.member_2);
-                                            phi_2939_ = _e999;
-                                            phi_2940_ = _e1001;
-                                            phi_2941_ = select(_e990, _e536, _e992);
+                                            let _e1000 = phi_3208_;
+                                            let _e1002 = phi_3209_;
+                                            phi_3734_ = _e491;
+                                            phi_3211_ = type_42(_e493.member, (_e493.member_1 + 1u), _e493.member_2);
+                                            phi_3212_ = _e1000;
+                                            phi_3213_ = _e1002;
+                                            phi_3214_ = select(_e991, _e537, _e993);
                                         }
-                                        let _e1425 = phi_3433_;
-                                        let _e1427 = phi_2938_;
-                                        let _e1429 = phi_2939_;
-                                        let _e1431 = phi_2940_;
-                                        let _e1433 = phi_2941_;
-                                        phi_3432_ = _e1425;
-                                        phi_2942_ = _e1427;
-                                        phi_2943_ = _e1429;
-                                        phi_2944_ = (_e496 - 1u);
-                                        phi_2945_ = _e1431;
-                                        phi_2946_ = _e1433;
+                                        let _e1606 = phi_3734_;
+                                        let _e1608 = phi_3211_;
+                                        let _e1610 = phi_3212_;
+                                        let _e1612 = phi_3213_;
+                                        let _e1614 = phi_3214_;
+                                        phi_3733_ = _e1606;
+                                        phi_3215_ = _e1608;
+                                        phi_3216_ = _e1610;
+                                        phi_3217_ = (_e497 - 1u);
+                                        phi_3218_ = _e1612;
+                                        phi_3219_ = _e1614;
                                     } else {
-                                        phi_3432_ = _e490;
-                                        phi_2942_ = _e492;
-                                        phi_2943_ = _e532;
-                                        phi_2944_ = _e496;
-                                        phi_2945_ = _e534;
-                                        phi_2946_ = _e536;
+                                        phi_3733_ = _e491;
+                                        phi_3215_ = _e493;
+                                        phi_3216_ = _e533;
+                                        phi_3217_ = _e497;
+                                        phi_3218_ = _e535;
+                                        phi_3219_ = _e537;
                                     }
-                                    let _e1435 = phi_3432_;
-                                    let _e1437 = phi_2942_;
-                                    let _e1439 = phi_2943_;
-                                    let _e1441 = phi_2944_;
-                                    let _e1443 = phi_2945_;
-                                    let _e1445 = phi_2946_;
-                                    phi_3431_ = _e1435;
-                                    phi_2947_ = _e1437;
-                                    phi_2948_ = _e1439;
-                                    phi_2949_ = _e1441;
-                                    phi_2950_ = _e1443;
-                                    phi_2951_ = _e1445;
+                                    let _e1616 = phi_3733_;
+                                    let _e1618 = phi_3215_;
+                                    let _e1620 = phi_3216_;
+                                    let _e1622 = phi_3217_;
+                                    let _e1624 = phi_3218_;
+                                    let _e1626 = phi_3219_;
+                                    phi_3732_ = _e1616;
+                                    phi_3220_ = _e1618;
+                                    phi_3221_ = _e1620;
+                                    phi_3222_ = _e1622;
+                                    phi_3223_ = _e1624;
+                                    phi_3224_ = _e1626;
                                 } else {
-                                    phi_3431_ = _e490;
-                                    phi_2947_ = type_42();
-                                    phi_2948_ = type_53();
-                                    phi_2949_ = u32();
-                                    phi_2950_ = bool();
-                                    phi_2951_ = u32();
+                                    phi_3732_ = _e491;
+                                    phi_3220_ = type_42();
+                                    phi_3221_ = type_53();
+                                    phi_3222_ = u32();
+                                    phi_3223_ = bool();
+                                    phi_3224_ = u32();
                                 }
-                                let _e1447 = phi_3431_;
-                                let _e1449 = phi_2947_;
-                                let _e1451 = phi_2948_;
-                                let _e1453 = phi_2949_;
-                                let _e1455 = phi_2950_;
-                                let _e1457 = phi_2951_;
-                                phi_3430_ = _e1447;
-                                phi_855_ = _e1449;
-                                phi_858_ = _e1451;
-                                phi_860_ = _e1453;
-                                phi_862_ = _e1455;
-                                phi_864_ = _e1457;
-                                phi_2952_ = _e504;
+                                let _e1628 = phi_3732_;
+                                let _e1630 = phi_3220_;
+                                let _e1632 = phi_3221_;
+                                let _e1634 = phi_3222_;
+                                let _e1636 = phi_3223_;
+                                let _e1638 = phi_3224_;
+                                phi_3731_ = _e1628;
+                                phi_861_ = _e1630;
+                                phi_864_ = _e1632;
+                                phi_866_ = _e1634;
+                                phi_868_ = _e1636;
+                                phi_870_ = _e1638;
+                                phi_3225_ = _e505;
                             } else {
-                                phi_3430_ = _e490;
-                                phi_855_ = type_42();
-                                phi_858_ = type_53();
-                                phi_860_ = u32();
-                                phi_862_ = bool();
-                                phi_864_ = u32();
-                                phi_2952_ = false;
+                                phi_3731_ = _e491;
+                                phi_861_ = type_42();
+                                phi_864_ = type_53();
+                                phi_866_ = u32();
+                                phi_868_ = bool();
+                                phi_870_ = u32();
+                                phi_3225_ = false;
                             }
-                            let _e1459 = phi_3430_;
-                            let _e1461 = phi_855_;
-                            let _e1463 = phi_858_;
-                            let _e1465 = phi_860_;
-                            let _e1467 = phi_862_;
-                            let _e1469 = phi_864_;
-                            let _e1471 = phi_2952_;
+                            let _e1640 = phi_3731_;
+                            let _e1642 = phi_861_;
+                            let _e1644 = phi_864_;
+                            let _e1646 = phi_866_;
+                            let _e1648 = phi_868_;
+                            let _e1650 = phi_870_;
+                            let _e1652 = phi_3225_;
                             continue;
                             continuing {
-                                phi_3321_ = _e1459;
-                                phi_854_ = _e1461;
-                                phi_857_ = _e1463;
-                                phi_859_ = _e1465;
-                                phi_861_ = _e1467;
-                                phi_863_ = _e1469;
-                                phi_3429_ = _e1459;
-                                break if !(_e1471);
+                                phi_3594_ = _e1640;
+                                phi_860_ = _e1642;
+                                phi_863_ = _e1644;
+                                phi_865_ = _e1646;
+                                phi_867_ = _e1648;
+                                phi_869_ = _e1650;
+                                phi_3730_ = _e1640;
+                                break if !(_e1652);
                             }
                         }
-                        let _e1474 = phi_3429_;
-                        if _e1474 {
+                        let _e1655 = phi_3730_;
+                        if _e1655 {
                             break;
                         }
-                        let _e1476 = local_10;
-                        if (_e1476.member.member.member_3 != 4294967295u) {
-                            let _e1482 = (_e267 / 3i);
-                            let _e1489 = bitcast<f32>((bitcast<u32>((_e1482 + 127i)) << bitcast<u32>(23i)));
-                            let _e1497 = (((_e1476.member.member.member * _e1489) * _e1489) * bitcast<f32>((bitcast<u32>(((_e267 - (2i * _e1482)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1499 = select(340282350000000000000000000000000000000f, _e1497, (_e1497 < 340282350000000000000000000000000000000f));
-                            phi_3004_ = type_22(select(-340282350000000000000000000000000000000f, _e1499, (_e1499 > -340282350000000000000000000000000000000f)), _e1476.member.member.member_1, _e1476.member.member.member_2, _e1476.member.member.member_3);
+                        let _e1657 = local_10;
+                        if (_e1657.member.member.member_3 != 4294967295u) {
+                            let _e1663 = (_e268 / 3i);
+                            let _e1670 = bitcast<f32>((bitcast<u32>((_e1663 + 127i)) << bitcast<u32>(23i)));
+                            let _e1678 = (((_e1657.member.member.member * _e1670) * _e1670) * bitcast<f32>((bitcast<u32>(((_e268 - (2i * _e1663)) + 127i)) << bitcast<u32>(23i))));
+                            let _e1680 = select(340282350000000000000000000000000000000f, _e1678, (_e1678 < 340282350000000000000000000000000000000f));
+                            phi_3277_ = type_22(select(-340282350000000000000000000000000000000f, _e1680, (_e1680 > -340282350000000000000000000000000000000f)), _e1657.member.member.member_1, _e1657.member.member.member_2, _e1657.member.member.member_3);
                         } else {
-                            phi_3004_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3277_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1506 = phi_3004_;
-                        if _e143 {
-                        } else {
-                            break;
-                        }
-                        global_2.member[_e127] = _e1506;
-                        let _e1510 = local_11;
+                        let _e1687 = phi_3277_;
                         if _e144 {
                         } else {
                             break;
                         }
-                        global_5.member[_e127] = _e1510.member_1;
-                        if _e142 {
+                        global_2.member[_e128] = _e1687;
+                        let _e1691 = local_11;
+                        if _e145 {
                         } else {
                             break;
                         }
-                        let _e1515 = select(0u, 1u, (_e211 <= _e221));
-                        if (_e1515 > 0u) {
-                            let _e1517 = (1u < _e95);
-                            if _e1517 {
-                                if (0u < _e95) {
+                        global_5.member[_e128] = _e1691.member_1;
+                        if _e143 {
+                        } else {
+                            break;
+                        }
+                        let _e1696 = select(0u, 1u, (_e212 <= _e222));
+                        if (_e1696 > 0u) {
+                            let _e1698 = (1u < _e96);
+                            if _e1698 {
+                                if (0u < _e96) {
                                 } else {
                                     break;
                                 }
-                                let _e1521 = atomicAdd((&global_6.member[0u]), _e1515);
-                                if ((_e1521 + _e1515) < _e1521) {
-                                    if _e1517 {
+                                let _e1702 = atomicAdd((&global_6.member[0u]), _e1696);
+                                if ((_e1702 + _e1696) < _e1702) {
+                                    if _e1698 {
                                     } else {
                                         break;
                                     }
-                                    let _e1526 = atomicAdd((&global_6.member[1u]), 1u);
+                                    let _e1707 = atomicAdd((&global_6.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1529 = select(0u, 1u, (_e1506.member_3 != 4294967295u));
-                        if (_e1529 > 0u) {
-                            let _e1531 = (3u < _e95);
-                            if _e1531 {
-                                if (2u < _e95) {
+                        let _e1710 = select(0u, 1u, (_e1687.member_3 != 4294967295u));
+                        if (_e1710 > 0u) {
+                            let _e1712 = (3u < _e96);
+                            if _e1712 {
+                                if (2u < _e96) {
                                 } else {
                                     break;
                                 }
-                                let _e1535 = atomicAdd((&global_6.member[2u]), _e1529);
-                                if ((_e1535 + _e1529) < _e1535) {
-                                    if _e1531 {
+                                let _e1716 = atomicAdd((&global_6.member[2u]), _e1710);
+                                if ((_e1716 + _e1710) < _e1716) {
+                                    if _e1712 {
                                     } else {
                                         break;
                                     }
-                                    let _e1540 = atomicAdd((&global_6.member[3u]), 1u);
+                                    let _e1721 = atomicAdd((&global_6.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1510.member_1 > 0u) {
-                            let _e1542 = (5u < _e95);
-                            if _e1542 {
-                                if (4u < _e95) {
+                        if (_e1691.member_1 > 0u) {
+                            let _e1723 = (5u < _e96);
+                            if _e1723 {
+                                if (4u < _e96) {
                                 } else {
                                     break;
                                 }
-                                let _e1546 = atomicAdd((&global_6.member[4u]), _e1510.member_1);
-                                if ((_e1546 + _e1510.member_1) < _e1546) {
-                                    if _e1542 {
+                                let _e1727 = atomicAdd((&global_6.member[4u]), _e1691.member_1);
+                                if ((_e1727 + _e1691.member_1) < _e1727) {
+                                    if _e1723 {
                                     } else {
                                         break;
                                     }
-                                    let _e1551 = atomicAdd((&global_6.member[5u]), 1u);
+                                    let _e1732 = atomicAdd((&global_6.member[5u]), 1u);
                                 }
                             }
                         }

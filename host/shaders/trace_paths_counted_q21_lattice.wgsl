@@ -103,413 +103,430 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_396_: i32;
-    var phi_397_: i32;
-    var phi_407_: bool;
-    var phi_417_: u32;
-    var phi_418_: u32;
-    var phi_420_: bool;
-    var phi_425_: u32;
-    var phi_457_: i32;
-    var phi_475_: f32;
+    var phi_402_: i32;
+    var phi_403_: i32;
+    var phi_413_: bool;
+    var phi_423_: u32;
+    var phi_424_: u32;
+    var phi_426_: bool;
+    var phi_431_: u32;
+    var phi_463_: i32;
     var phi_481_: f32;
-    var phi_492_: f32;
+    var phi_487_: f32;
     var phi_498_: f32;
-    var phi_521_: f32;
-    var phi_532_: f32;
-    var phi_541_: f32;
+    var phi_504_: f32;
+    var phi_527_: f32;
+    var phi_538_: f32;
     var phi_547_: f32;
-    var phi_558_: f32;
+    var phi_553_: f32;
     var phi_564_: f32;
-    var phi_587_: f32;
-    var phi_598_: f32;
-    var phi_607_: f32;
+    var phi_570_: f32;
+    var phi_593_: f32;
+    var phi_604_: f32;
     var phi_613_: f32;
-    var phi_624_: f32;
+    var phi_619_: f32;
     var phi_630_: f32;
-    var phi_653_: f32;
-    var phi_664_: f32;
-    var phi_764_: f32;
-    var phi_765_: f32;
-    var phi_3949_: bool;
-    var phi_863_: type_38;
-    var phi_866_: type_49;
-    var phi_868_: u32;
-    var phi_870_: bool;
-    var phi_872_: u32;
-    var phi_883_: bool;
-    var phi_969_: type_49;
-    var phi_970_: bool;
-    var phi_971_: u32;
-    var phi_2823_: u32;
-    var phi_2829_: u32;
-    var phi_3083_: u32;
-    var phi_3084_: u32;
-    var phi_3094_: u32;
+    var phi_636_: f32;
+    var phi_659_: f32;
+    var phi_670_: f32;
+    var phi_770_: f32;
+    var phi_771_: f32;
+    var phi_4222_: bool;
+    var phi_869_: type_38;
+    var phi_872_: type_49;
+    var phi_874_: u32;
+    var phi_876_: bool;
+    var phi_878_: u32;
+    var phi_889_: bool;
+    var phi_975_: type_49;
+    var phi_976_: bool;
+    var phi_977_: u32;
     var phi_3096_: u32;
-    var phi_3097_: bool;
-    var phi_3117_: u32;
-    var phi_3118_: u32;
-    var phi_3122_: type_50;
-    var phi_3466_: type_49;
-    var phi_3543_: type_49;
-    var phi_3544_: type_49;
-    var phi_3545_: u32;
-    var phi_3547_: type_49;
-    var phi_3548_: u32;
-    var phi_3549_: bool;
-    var phi_3558_: type_49;
-    var phi_3563_: type_49;
-    var phi_3564_: bool;
-    var phi_990_: type_38;
-    var phi_993_: type_8;
-    var phi_994_: type_8;
-    var phi_1016_: type_8;
-    var phi_1060_: u32;
+    var phi_3102_: u32;
+    var phi_3356_: u32;
+    var phi_3357_: u32;
+    var phi_3367_: u32;
+    var phi_3369_: u32;
+    var phi_3370_: bool;
+    var phi_3390_: u32;
+    var phi_3391_: u32;
+    var phi_3395_: type_50;
+    var phi_3739_: type_49;
+    var phi_3816_: type_49;
+    var phi_3817_: type_49;
+    var phi_3818_: u32;
+    var phi_3820_: type_49;
+    var phi_3821_: u32;
+    var phi_3822_: bool;
+    var phi_3831_: type_49;
+    var phi_3836_: type_49;
+    var phi_3837_: bool;
+    var phi_996_: type_38;
+    var phi_999_: type_8;
+    var phi_1000_: type_8;
+    var phi_1022_: type_8;
     var phi_1066_: u32;
-    var phi_1076_: u32;
-    var phi_1092_: u32;
-    var phi_1125_: u32;
+    var phi_1072_: u32;
+    var phi_1082_: u32;
+    var phi_1098_: u32;
     var phi_1131_: u32;
-    var phi_1558_: u32;
-    var phi_1576_: u32;
-    var phi_1594_: u32;
-    var phi_1614_: u32;
-    var phi_1632_: u32;
-    var phi_1650_: u32;
-    var phi_1670_: u32;
-    var phi_1688_: u32;
-    var phi_1706_: u32;
-    var phi_1284_: u32;
-    var phi_1299_: u32;
-    var phi_1309_: u32;
-    var phi_1329_: u32;
-    var phi_1349_: u32;
-    var phi_1375_: u32;
-    var phi_1390_: u32;
-    var phi_1400_: u32;
-    var phi_1420_: u32;
-    var phi_1440_: u32;
-    var phi_1466_: u32;
-    var phi_1481_: u32;
-    var phi_1491_: u32;
-    var phi_1511_: u32;
-    var phi_1531_: u32;
-    var phi_1155_: u32;
-    var phi_1198_: u32;
-    var phi_1241_: u32;
-    var phi_1712_: array<array<f32, 3>, 3>;
-    var phi_2183_: vec3<f32>;
-    var phi_2184_: vec3<f32>;
-    var phi_2215_: bool;
-    var phi_2224_: vec3<f32>;
-    var phi_2264_: type_18;
-    var phi_2266_: type_18;
-    var phi_2267_: bool;
-    var phi_2271_: type_18;
-    var phi_2272_: type_18;
-    var phi_2273_: type_18;
-    var phi_2274_: bool;
-    var phi_2278_: type_18;
-    var phi_2279_: bool;
-    var phi_2283_: type_18;
-    var phi_2284_: bool;
-    var phi_2288_: type_18;
-    var phi_2313_: bool;
-    var phi_2314_: bool;
-    var phi_2321_: type_38;
-    var phi_2322_: type_38;
-    var phi_2323_: type_38;
-    var phi_991_: type_38;
-    var phi_3943_: bool;
-    var phi_4108_: bool;
-    var phi_3566_: type_38;
-    var phi_3567_: type_49;
-    var phi_3568_: bool;
-    var phi_3569_: u32;
-    var phi_4107_: bool;
-    var phi_3570_: type_38;
-    var phi_3571_: type_49;
-    var phi_3572_: u32;
-    var phi_3573_: bool;
-    var phi_3574_: u32;
-    var phi_4106_: bool;
-    var phi_3575_: type_38;
-    var phi_3576_: type_49;
-    var phi_3577_: u32;
-    var phi_3578_: bool;
-    var phi_3579_: u32;
-    var phi_4105_: bool;
-    var phi_864_: type_38;
-    var phi_867_: type_49;
-    var phi_869_: u32;
-    var phi_871_: bool;
-    var phi_873_: u32;
-    var phi_3580_: bool;
-    var phi_4104_: bool;
+    var phi_1137_: u32;
+    var phi_1564_: u32;
+    var phi_1582_: u32;
+    var phi_1600_: u32;
+    var phi_1620_: u32;
+    var phi_1638_: u32;
+    var phi_1656_: u32;
+    var phi_1676_: u32;
+    var phi_1694_: u32;
+    var phi_1712_: u32;
+    var phi_1290_: u32;
+    var phi_1305_: u32;
+    var phi_1315_: u32;
+    var phi_1335_: u32;
+    var phi_1355_: u32;
+    var phi_1381_: u32;
+    var phi_1396_: u32;
+    var phi_1406_: u32;
+    var phi_1426_: u32;
+    var phi_1446_: u32;
+    var phi_1472_: u32;
+    var phi_1487_: u32;
+    var phi_1497_: u32;
+    var phi_1517_: u32;
+    var phi_1537_: u32;
+    var phi_1161_: u32;
+    var phi_1204_: u32;
+    var phi_1247_: u32;
+    var phi_1718_: array<array<f32, 3>, 3>;
+    var phi_1835_: bool;
+    var phi_1864_: bool;
+    var phi_2265_: f32;
+    var phi_2266_: f32;
+    var phi_2267_: f32;
+    var phi_2268_: f32;
+    var phi_2269_: vec3<f32>;
+    var phi_2270_: vec3<f32>;
+    var phi_2271_: vec3<f32>;
+    var phi_2272_: vec3<f32>;
+    var phi_2303_: bool;
+    var phi_2312_: vec3<f32>;
+    var phi_2479_: bool;
+    var phi_2503_: f32;
+    var phi_2504_: f32;
+    var phi_2527_: type_18;
+    var phi_2529_: type_18;
+    var phi_2530_: bool;
+    var phi_2534_: type_18;
+    var phi_2535_: type_18;
+    var phi_2536_: type_18;
+    var phi_2537_: bool;
+    var phi_2541_: type_18;
+    var phi_2542_: bool;
+    var phi_2543_: type_18;
+    var phi_2544_: bool;
+    var phi_2545_: bool;
+    var phi_2546_: type_18;
+    var phi_2547_: bool;
+    var phi_2548_: bool;
+    var phi_2556_: type_18;
+    var phi_2557_: bool;
+    var phi_2561_: type_18;
+    var phi_2586_: bool;
+    var phi_2587_: bool;
+    var phi_2594_: type_38;
+    var phi_2595_: type_38;
+    var phi_2596_: type_38;
+    var phi_997_: type_38;
+    var phi_4216_: bool;
+    var phi_4409_: bool;
+    var phi_3839_: type_38;
+    var phi_3840_: type_49;
+    var phi_3841_: bool;
+    var phi_3842_: u32;
+    var phi_4408_: bool;
+    var phi_3843_: type_38;
+    var phi_3844_: type_49;
+    var phi_3845_: u32;
+    var phi_3846_: bool;
+    var phi_3847_: u32;
+    var phi_4407_: bool;
+    var phi_3848_: type_38;
+    var phi_3849_: type_49;
+    var phi_3850_: u32;
+    var phi_3851_: bool;
+    var phi_3852_: u32;
+    var phi_4406_: bool;
+    var phi_870_: type_38;
+    var phi_873_: type_49;
+    var phi_875_: u32;
+    var phi_877_: bool;
+    var phi_879_: u32;
+    var phi_3853_: bool;
+    var phi_4405_: bool;
     var local_10: type_38;
-    var phi_3632_: type_18;
+    var phi_3905_: type_18;
     var local_11: type_38;
     var local_12: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e87 = global;
-            let _e89 = arrayLength((&global_6.member));
-            let _e92 = arrayLength((&global_7.member));
-            let _e100 = arrayLength((&global_5.member));
-            let _e104 = global_2.member[0u][0u];
-            let _e108 = global_2.member[0u][1u];
-            let _e112 = global_2.member[0u][2u];
-            let _e116 = global_2.member[0u][3u];
-            let _e120 = global_2.member[1u][0u];
-            let _e124 = global_2.member[1u][1u];
-            let _e128 = global_2.member[1u][2u];
-            let _e132 = (_e87.x + (_e87.y * 2097152u));
-            let _e144 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e116) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e104), bitcast<i32>(_e108), bitcast<i32>(_e112));
-            local = array<i32, 3>(bitcast<i32>(_e120), bitcast<i32>(_e124), bitcast<i32>(_e128));
-            let _e147 = (_e132 < arrayLength((&global_3.member)));
-            if _e147 {
-                let _e148 = (_e132 < arrayLength((&global_1.member)));
-                if _e148 {
-                    let _e149 = (_e132 < arrayLength((&global_4.member)));
-                    if _e149 {
-                        if _e147 {
+            let _e88 = global;
+            let _e90 = arrayLength((&global_6.member));
+            let _e93 = arrayLength((&global_7.member));
+            let _e101 = arrayLength((&global_5.member));
+            let _e105 = global_2.member[0u][0u];
+            let _e109 = global_2.member[0u][1u];
+            let _e113 = global_2.member[0u][2u];
+            let _e117 = global_2.member[0u][3u];
+            let _e121 = global_2.member[1u][0u];
+            let _e125 = global_2.member[1u][1u];
+            let _e129 = global_2.member[1u][2u];
+            let _e133 = (_e88.x + (_e88.y * 2097152u));
+            let _e145 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e117) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e105), bitcast<i32>(_e109), bitcast<i32>(_e113));
+            local = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            let _e148 = (_e133 < arrayLength((&global_3.member)));
+            if _e148 {
+                let _e149 = (_e133 < arrayLength((&global_1.member)));
+                if _e149 {
+                    let _e150 = (_e133 < arrayLength((&global_4.member)));
+                    if _e150 {
+                        if _e148 {
                         } else {
                             break;
                         }
-                        let _e159 = global_3.member[_e132].member.member_2[0u];
-                        let _e161 = (bitcast<u32>(_e159) & 2147483647u);
-                        let _e167 = global_3.member[_e132].member.member_2[1u];
-                        let _e169 = (bitcast<u32>(_e167) & 2147483647u);
-                        let _e175 = global_3.member[_e132].member.member_2[2u];
-                        let _e177 = (bitcast<u32>(_e175) & 2147483647u);
-                        let _e183 = global_3.member[_e132].member.member[0u];
-                        let _e185 = (bitcast<u32>(_e183) & 2147483647u);
-                        let _e191 = global_3.member[_e132].member.member[1u];
-                        let _e193 = (bitcast<u32>(_e191) & 2147483647u);
-                        let _e199 = global_3.member[_e132].member.member[2u];
-                        let _e201 = (bitcast<u32>(_e199) & 2147483647u);
-                        let _e203 = select(_e169, _e161, (_e169 < _e161));
-                        let _e205 = select(_e177, _e203, (_e177 < _e203));
-                        let _e207 = select(_e185, _e205, (_e185 < _e205));
-                        let _e209 = select(_e193, _e207, (_e193 < _e207));
-                        let _e211 = select(_e201, _e209, (_e201 < _e209));
-                        let _e216 = global_3.member[_e132].member.member_1;
-                        let _e218 = (bitcast<u32>(_e216) & 2147483647u);
-                        let _e226 = global_3.member[_e132].member.member_3;
-                        let _e232 = (((select(_e218, _e211, (_e218 < _e211)) < 2139095040u) && ((bitcast<u32>(_e226) & 2147483647u) <= 2139095040u)) && (_e205 > 0u));
-                        if _e232 {
-                            let _e235 = (bitcast<u32>(bitcast<f32>(_e205)) & 2147483647u);
-                            if (_e235 >= 8388608u) {
-                                phi_396_ = (bitcast<i32>((_e235 >> bitcast<u32>(23i))) - 127i);
+                        let _e160 = global_3.member[_e133].member.member_2[0u];
+                        let _e162 = (bitcast<u32>(_e160) & 2147483647u);
+                        let _e168 = global_3.member[_e133].member.member_2[1u];
+                        let _e170 = (bitcast<u32>(_e168) & 2147483647u);
+                        let _e176 = global_3.member[_e133].member.member_2[2u];
+                        let _e178 = (bitcast<u32>(_e176) & 2147483647u);
+                        let _e184 = global_3.member[_e133].member.member[0u];
+                        let _e186 = (bitcast<u32>(_e184) & 2147483647u);
+                        let _e192 = global_3.member[_e133].member.member[1u];
+                        let _e194 = (bitcast<u32>(_e192) & 2147483647u);
+                        let _e200 = global_3.member[_e133].member.member[2u];
+                        let _e202 = (bitcast<u32>(_e200) & 2147483647u);
+                        let _e204 = select(_e170, _e162, (_e170 < _e162));
+                        let _e206 = select(_e178, _e204, (_e178 < _e204));
+                        let _e208 = select(_e186, _e206, (_e186 < _e206));
+                        let _e210 = select(_e194, _e208, (_e194 < _e208));
+                        let _e212 = select(_e202, _e210, (_e202 < _e210));
+                        let _e217 = global_3.member[_e133].member.member_1;
+                        let _e219 = (bitcast<u32>(_e217) & 2147483647u);
+                        let _e227 = global_3.member[_e133].member.member_3;
+                        let _e233 = (((select(_e219, _e212, (_e219 < _e212)) < 2139095040u) && ((bitcast<u32>(_e227) & 2147483647u) <= 2139095040u)) && (_e206 > 0u));
+                        if _e233 {
+                            let _e236 = (bitcast<u32>(bitcast<f32>(_e206)) & 2147483647u);
+                            if (_e236 >= 8388608u) {
+                                phi_402_ = (bitcast<i32>((_e236 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_396_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e235)), 32u, (_e235 == 0u))));
+                                phi_402_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e236)), 32u, (_e236 == 0u))));
                             }
-                            let _e249 = phi_396_;
-                            phi_397_ = _e249;
+                            let _e250 = phi_402_;
+                            phi_403_ = _e250;
                         } else {
-                            phi_397_ = 0i;
+                            phi_403_ = 0i;
                         }
-                        let _e251 = phi_397_;
-                        let _e252 = (_e161 == _e205);
-                        if _e252 {
-                            phi_407_ = true;
+                        let _e252 = phi_403_;
+                        let _e253 = (_e162 == _e206);
+                        if _e253 {
+                            phi_413_ = true;
                         } else {
-                            phi_407_ = (_e169 == _e205);
+                            phi_413_ = (_e170 == _e206);
                         }
-                        let _e255 = phi_407_;
-                        let _e256 = select(1u, 0u, _e252);
-                        if _e255 {
-                            let _e257 = (_e256 + 1u);
-                            phi_417_ = _e257;
-                            phi_418_ = _e257;
-                            phi_420_ = select(true, false, (_e257 == 2u));
+                        let _e256 = phi_413_;
+                        let _e257 = select(1u, 0u, _e253);
+                        if _e256 {
+                            let _e258 = (_e257 + 1u);
+                            phi_423_ = _e258;
+                            phi_424_ = _e258;
+                            phi_426_ = select(true, false, (_e258 == 2u));
                         } else {
-                            phi_417_ = u32();
-                            phi_418_ = 0u;
-                            phi_420_ = true;
+                            phi_423_ = u32();
+                            phi_424_ = 0u;
+                            phi_426_ = true;
                         }
-                        let _e261 = phi_417_;
-                        let _e263 = phi_418_;
-                        let _e265 = phi_420_;
-                        if _e265 {
-                            phi_425_ = (_e263 + 1u);
+                        let _e262 = phi_423_;
+                        let _e264 = phi_424_;
+                        let _e266 = phi_426_;
+                        if _e266 {
+                            phi_431_ = (_e264 + 1u);
                         } else {
-                            phi_425_ = 0u;
+                            phi_431_ = 0u;
                         }
-                        let _e269 = phi_425_;
-                        let _e270 = select(_e261, _e263, _e265);
-                        let _e271 = select(_e256, select(2u, _e256, _e255), _e265);
-                        let _e272 = -(_e251);
-                        if (_e272 < -126i) {
-                            phi_457_ = -126i;
+                        let _e270 = phi_431_;
+                        let _e271 = select(_e262, _e264, _e266);
+                        let _e272 = select(_e257, select(2u, _e257, _e256), _e266);
+                        let _e273 = -(_e252);
+                        if (_e273 < -126i) {
+                            phi_463_ = -126i;
                         } else {
-                            phi_457_ = select(_e272, 127i, (_e272 > 127i));
+                            phi_463_ = select(_e273, 127i, (_e273 > 127i));
                         }
-                        let _e277 = phi_457_;
-                        let _e282 = bitcast<f32>((bitcast<u32>((_e277 + 127i)) << bitcast<u32>(23i)));
-                        let _e288 = bitcast<f32>((bitcast<u32>(((_e272 - _e277) + 127i)) << bitcast<u32>(23i)));
-                        let _e293 = global_3.member[_e132].member.member;
-                        let _e294 = (_e270 == 0u);
-                        if _e294 {
-                            phi_475_ = _e293[0];
+                        let _e278 = phi_463_;
+                        let _e283 = bitcast<f32>((bitcast<u32>((_e278 + 127i)) << bitcast<u32>(23i)));
+                        let _e289 = bitcast<f32>((bitcast<u32>(((_e273 - _e278) + 127i)) << bitcast<u32>(23i)));
+                        let _e294 = global_3.member[_e133].member.member;
+                        let _e295 = (_e271 == 0u);
+                        if _e295 {
+                            phi_481_ = _e294[0];
                         } else {
-                            phi_475_ = _e293[1];
+                            phi_481_ = _e294[1];
                         }
-                        let _e298 = phi_475_;
-                        let _e299 = (_e270 == 2u);
-                        if _e299 {
-                            phi_481_ = _e293[2];
+                        let _e299 = phi_481_;
+                        let _e300 = (_e271 == 2u);
+                        if _e300 {
+                            phi_487_ = _e294[2];
                         } else {
-                            phi_481_ = _e298;
+                            phi_487_ = _e299;
                         }
-                        let _e302 = phi_481_;
-                        let _e303 = global_3.member[_e132].member.member_2;
-                        if _e294 {
-                            phi_492_ = _e303[0];
+                        let _e303 = phi_487_;
+                        let _e304 = global_3.member[_e133].member.member_2;
+                        if _e295 {
+                            phi_498_ = _e304[0];
                         } else {
-                            phi_492_ = _e303[1];
+                            phi_498_ = _e304[1];
                         }
-                        let _e307 = phi_492_;
-                        if _e299 {
-                            phi_498_ = _e303[2];
+                        let _e308 = phi_498_;
+                        if _e300 {
+                            phi_504_ = _e304[2];
                         } else {
-                            phi_498_ = _e307;
+                            phi_504_ = _e308;
                         }
-                        let _e310 = phi_498_;
-                        let _e312 = ((_e310 * _e282) * _e288);
-                        let _e316 = (bitcast<f32>((bitcast<u32>(_e312) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e316 {
-                            let _e320 = (bitcast<f32>((bitcast<u32>(_e302) & 2147483647u)) * 0.00000011920929f);
-                            phi_521_ = select(0.00000000000011368684f, _e320, (_e320 > 0.00000000000011368684f));
+                        let _e311 = phi_504_;
+                        let _e313 = ((_e311 * _e283) * _e289);
+                        let _e317 = (bitcast<f32>((bitcast<u32>(_e313) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e317 {
+                            let _e321 = (bitcast<f32>((bitcast<u32>(_e303) & 2147483647u)) * 0.00000011920929f);
+                            phi_527_ = select(0.00000000000011368684f, _e321, (_e321 > 0.00000000000011368684f));
                         } else {
-                            phi_521_ = 0f;
+                            phi_527_ = 0f;
                         }
-                        let _e324 = phi_521_;
-                        let _e325 = (_e302 + _e324);
-                        let _e326 = (_e302 - _e324);
-                        let _e327 = select(_e312, 0f, _e316);
-                        if _e316 {
-                            phi_532_ = 38685626000000000000000000f;
+                        let _e325 = phi_527_;
+                        let _e326 = (_e303 + _e325);
+                        let _e327 = (_e303 - _e325);
+                        let _e328 = select(_e313, 0f, _e317);
+                        if _e317 {
+                            phi_538_ = 38685626000000000000000000f;
                         } else {
-                            phi_532_ = (1f / _e312);
+                            phi_538_ = (1f / _e313);
                         }
-                        let _e330 = phi_532_;
-                        let _e331 = (_e269 == 0u);
-                        if _e331 {
-                            phi_541_ = _e293[0];
+                        let _e331 = phi_538_;
+                        let _e332 = (_e270 == 0u);
+                        if _e332 {
+                            phi_547_ = _e294[0];
                         } else {
-                            phi_541_ = _e293[1];
+                            phi_547_ = _e294[1];
                         }
-                        let _e335 = phi_541_;
-                        let _e336 = (_e269 == 2u);
-                        if _e336 {
-                            phi_547_ = _e293[2];
+                        let _e336 = phi_547_;
+                        let _e337 = (_e270 == 2u);
+                        if _e337 {
+                            phi_553_ = _e294[2];
                         } else {
-                            phi_547_ = _e335;
+                            phi_553_ = _e336;
                         }
-                        let _e339 = phi_547_;
-                        if _e331 {
-                            phi_558_ = _e303[0];
+                        let _e340 = phi_553_;
+                        if _e332 {
+                            phi_564_ = _e304[0];
                         } else {
-                            phi_558_ = _e303[1];
+                            phi_564_ = _e304[1];
                         }
-                        let _e343 = phi_558_;
-                        if _e336 {
-                            phi_564_ = _e303[2];
+                        let _e344 = phi_564_;
+                        if _e337 {
+                            phi_570_ = _e304[2];
                         } else {
-                            phi_564_ = _e343;
+                            phi_570_ = _e344;
                         }
-                        let _e346 = phi_564_;
-                        let _e348 = ((_e346 * _e282) * _e288);
-                        let _e352 = (bitcast<f32>((bitcast<u32>(_e348) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e352 {
-                            let _e356 = (bitcast<f32>((bitcast<u32>(_e339) & 2147483647u)) * 0.00000011920929f);
-                            phi_587_ = select(0.00000000000011368684f, _e356, (_e356 > 0.00000000000011368684f));
+                        let _e347 = phi_570_;
+                        let _e349 = ((_e347 * _e283) * _e289);
+                        let _e353 = (bitcast<f32>((bitcast<u32>(_e349) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e353 {
+                            let _e357 = (bitcast<f32>((bitcast<u32>(_e340) & 2147483647u)) * 0.00000011920929f);
+                            phi_593_ = select(0.00000000000011368684f, _e357, (_e357 > 0.00000000000011368684f));
                         } else {
-                            phi_587_ = 0f;
+                            phi_593_ = 0f;
                         }
-                        let _e360 = phi_587_;
-                        let _e361 = (_e339 + _e360);
-                        let _e362 = (_e339 - _e360);
-                        let _e363 = select(_e348, 0f, _e352);
-                        if _e352 {
-                            phi_598_ = 38685626000000000000000000f;
+                        let _e361 = phi_593_;
+                        let _e362 = (_e340 + _e361);
+                        let _e363 = (_e340 - _e361);
+                        let _e364 = select(_e349, 0f, _e353);
+                        if _e353 {
+                            phi_604_ = 38685626000000000000000000f;
                         } else {
-                            phi_598_ = (1f / _e348);
+                            phi_604_ = (1f / _e349);
                         }
-                        let _e366 = phi_598_;
-                        let _e367 = (_e271 == 0u);
-                        if _e367 {
-                            phi_607_ = _e293[0];
+                        let _e367 = phi_604_;
+                        let _e368 = (_e272 == 0u);
+                        if _e368 {
+                            phi_613_ = _e294[0];
                         } else {
-                            phi_607_ = _e293[1];
+                            phi_613_ = _e294[1];
                         }
-                        let _e371 = phi_607_;
-                        let _e372 = (_e271 == 2u);
-                        if _e372 {
-                            phi_613_ = _e293[2];
+                        let _e372 = phi_613_;
+                        let _e373 = (_e272 == 2u);
+                        if _e373 {
+                            phi_619_ = _e294[2];
                         } else {
-                            phi_613_ = _e371;
+                            phi_619_ = _e372;
                         }
-                        let _e375 = phi_613_;
-                        if _e367 {
-                            phi_624_ = _e303[0];
+                        let _e376 = phi_619_;
+                        if _e368 {
+                            phi_630_ = _e304[0];
                         } else {
-                            phi_624_ = _e303[1];
+                            phi_630_ = _e304[1];
                         }
-                        let _e379 = phi_624_;
-                        if _e372 {
-                            phi_630_ = _e303[2];
+                        let _e380 = phi_630_;
+                        if _e373 {
+                            phi_636_ = _e304[2];
                         } else {
-                            phi_630_ = _e379;
+                            phi_636_ = _e380;
                         }
-                        let _e382 = phi_630_;
-                        let _e384 = ((_e382 * _e282) * _e288);
-                        let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e388 {
-                            let _e392 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
-                            phi_653_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
+                        let _e383 = phi_636_;
+                        let _e385 = ((_e383 * _e283) * _e289);
+                        let _e389 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e389 {
+                            let _e393 = (bitcast<f32>((bitcast<u32>(_e376) & 2147483647u)) * 0.00000011920929f);
+                            phi_659_ = select(0.00000000000011368684f, _e393, (_e393 > 0.00000000000011368684f));
                         } else {
-                            phi_653_ = 0f;
+                            phi_659_ = 0f;
                         }
-                        let _e396 = phi_653_;
-                        let _e397 = (_e375 + _e396);
-                        let _e398 = (_e375 - _e396);
-                        let _e399 = select(_e384, 0f, _e388);
-                        if _e388 {
-                            phi_664_ = 38685626000000000000000000f;
+                        let _e397 = phi_659_;
+                        let _e398 = (_e376 + _e397);
+                        let _e399 = (_e376 - _e397);
+                        let _e400 = select(_e385, 0f, _e389);
+                        if _e389 {
+                            phi_670_ = 38685626000000000000000000f;
                         } else {
-                            phi_664_ = (1f / _e384);
+                            phi_670_ = (1f / _e385);
                         }
-                        let _e402 = phi_664_;
-                        let _e405 = bitcast<f32>((bitcast<u32>(_e302) & 2147483647u));
-                        let _e408 = bitcast<f32>((bitcast<u32>(_e339) & 2147483647u));
-                        let _e410 = select(_e408, _e405, (_e405 > _e408));
-                        let _e413 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
-                        if (_e232 && (select(_e413, _e410, (_e410 > _e413)) <= 1099511600000f)) {
-                            let _e418 = (_e251 / 3i);
-                            let _e425 = bitcast<f32>((bitcast<u32>((_e418 + 127i)) << bitcast<u32>(23i)));
-                            let _e432 = bitcast<f32>((bitcast<u32>(((_e251 - (2i * _e418)) + 127i)) << bitcast<u32>(23i)));
-                            let _e433 = (((_e216 * _e425) * _e425) * _e432);
-                            let _e435 = select(340282350000000000000000000000000000000f, _e433, (_e433 < 340282350000000000000000000000000000000f));
-                            let _e440 = (((_e226 * _e425) * _e425) * _e432);
-                            let _e442 = select(340282350000000000000000000000000000000f, _e440, (_e440 < 340282350000000000000000000000000000000f));
-                            phi_764_ = select(-340282350000000000000000000000000000000f, _e442, (_e442 > -340282350000000000000000000000000000000f));
-                            phi_765_ = select(-340282350000000000000000000000000000000f, _e435, (_e435 > -340282350000000000000000000000000000000f));
+                        let _e403 = phi_670_;
+                        let _e406 = bitcast<f32>((bitcast<u32>(_e303) & 2147483647u));
+                        let _e409 = bitcast<f32>((bitcast<u32>(_e340) & 2147483647u));
+                        let _e411 = select(_e409, _e406, (_e406 > _e409));
+                        let _e414 = bitcast<f32>((bitcast<u32>(_e376) & 2147483647u));
+                        if (_e233 && (select(_e414, _e411, (_e411 > _e414)) <= 1099511600000f)) {
+                            let _e419 = (_e252 / 3i);
+                            let _e426 = bitcast<f32>((bitcast<u32>((_e419 + 127i)) << bitcast<u32>(23i)));
+                            let _e433 = bitcast<f32>((bitcast<u32>(((_e252 - (2i * _e419)) + 127i)) << bitcast<u32>(23i)));
+                            let _e434 = (((_e217 * _e426) * _e426) * _e433);
+                            let _e436 = select(340282350000000000000000000000000000000f, _e434, (_e434 < 340282350000000000000000000000000000000f));
+                            let _e441 = (((_e227 * _e426) * _e426) * _e433);
+                            let _e443 = select(340282350000000000000000000000000000000f, _e441, (_e441 < 340282350000000000000000000000000000000f));
+                            phi_770_ = select(-340282350000000000000000000000000000000f, _e443, (_e443 > -340282350000000000000000000000000000000f));
+                            phi_771_ = select(-340282350000000000000000000000000000000f, _e436, (_e436 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_764_ = 0f;
-                            phi_765_ = 1f;
+                            phi_770_ = 0f;
+                            phi_771_ = 1f;
                         }
-                        let _e446 = phi_764_;
-                        let _e448 = phi_765_;
-                        if _e147 {
+                        let _e447 = phi_770_;
+                        let _e449 = phi_771_;
+                        if _e148 {
                         } else {
                             break;
                         }
-                        let _e454 = global_3.member[_e132].member_2;
+                        let _e455 = global_3.member[_e133].member_2;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -518,1269 +535,1377 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e457 = (_e270 % 3u);
-                        let _e458 = (_e457 < 3u);
-                        if _e458 {
+                        let _e458 = (_e271 % 3u);
+                        let _e459 = (_e458 < 3u);
+                        if _e459 {
                         } else {
                             break;
                         }
-                        let _e460 = local_1[_e457];
-                        let _e463 = (_e269 % 3u);
-                        let _e464 = (_e463 < 3u);
-                        if _e464 {
+                        let _e461 = local_1[_e458];
+                        let _e464 = (_e270 % 3u);
+                        let _e465 = (_e464 < 3u);
+                        if _e465 {
                         } else {
                             break;
                         }
-                        let _e466 = local_1[_e463];
-                        let _e469 = (_e271 % 3u);
-                        let _e470 = (_e469 < 3u);
-                        if _e470 {
+                        let _e467 = local_1[_e464];
+                        let _e470 = (_e272 % 3u);
+                        let _e471 = (_e470 < 3u);
+                        if _e471 {
                         } else {
                             break;
                         }
-                        let _e472 = local_1[_e469];
-                        if _e458 {
+                        let _e473 = local_1[_e470];
+                        if _e459 {
                         } else {
                             break;
                         }
-                        let _e477 = local[_e457];
-                        if _e464 {
+                        let _e478 = local[_e458];
+                        if _e465 {
                         } else {
                             break;
                         }
-                        let _e481 = local[_e463];
-                        if _e470 {
+                        let _e482 = local[_e464];
+                        if _e471 {
                         } else {
                             break;
                         }
-                        let _e485 = local[_e469];
-                        phi_3949_ = false;
-                        phi_863_ = type_38(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e446), 0u, 0u);
-                        phi_866_ = type_49(type_30(vec4<f32>((f32(_e460) * _e144), (f32(_e466) * _e144), (f32(_e472) * _e144), 0f), vec4<f32>((f32(_e477) * _e144), (f32(_e481) * _e144), (f32(_e485) * _e144), 0f)), select(0u, 2147483648u, (_e89 == 0u)));
-                        phi_868_ = ((3u * _e89) + 1u);
-                        phi_870_ = (_e448 <= _e446);
-                        phi_872_ = 0u;
+                        let _e486 = local[_e470];
+                        phi_4222_ = false;
+                        phi_869_ = type_38(type_34(type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e447), 0u, 0u);
+                        phi_872_ = type_49(type_30(vec4<f32>((f32(_e461) * _e145), (f32(_e467) * _e145), (f32(_e473) * _e145), 0f), vec4<f32>((f32(_e478) * _e145), (f32(_e482) * _e145), (f32(_e486) * _e145), 0f)), select(0u, 2147483648u, (_e90 == 0u)));
+                        phi_874_ = ((3u * _e90) + 1u);
+                        phi_876_ = (_e449 <= _e447);
+                        phi_878_ = 0u;
                         loop {
-                            let _e495 = phi_3949_;
-                            let _e497 = phi_863_;
-                            let _e499 = phi_866_;
-                            let _e501 = phi_868_;
-                            let _e503 = phi_870_;
-                            let _e505 = phi_872_;
-                            local_10 = _e497;
-                            local_11 = _e497;
-                            if _e503 {
-                                phi_883_ = true;
+                            let _e496 = phi_4222_;
+                            let _e498 = phi_869_;
+                            let _e500 = phi_872_;
+                            let _e502 = phi_874_;
+                            let _e504 = phi_876_;
+                            let _e506 = phi_878_;
+                            local_10 = _e498;
+                            local_11 = _e498;
+                            if _e504 {
+                                phi_889_ = true;
                             } else {
-                                phi_883_ = (_e505 > 0u);
+                                phi_889_ = (_e506 > 0u);
                             }
-                            let _e508 = phi_883_;
-                            if _e508 {
-                                let _e509 = (_e501 > 0u);
-                                if _e509 {
-                                    if _e503 {
-                                        phi_969_ = _e499;
-                                        phi_970_ = _e503;
-                                        phi_971_ = _e505;
+                            let _e509 = phi_889_;
+                            if _e509 {
+                                let _e510 = (_e502 > 0u);
+                                if _e510 {
+                                    if _e504 {
+                                        phi_975_ = _e500;
+                                        phi_976_ = _e504;
+                                        phi_977_ = _e506;
                                     } else {
-                                        let _e510 = (_e505 - 1u);
-                                        let _e511 = (_e510 % 128u);
-                                        let _e512 = (_e511 < 128u);
-                                        if _e512 {
+                                        let _e511 = (_e506 - 1u);
+                                        let _e512 = (_e511 % 128u);
+                                        let _e513 = (_e512 < 128u);
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e514 = local_7[_e511];
-                                        if _e512 {
+                                        let _e515 = local_7[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e516 = local_6[_e511];
-                                        if _e512 {
+                                        let _e517 = local_6[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e518 = local_5[_e511];
-                                        if _e512 {
+                                        let _e519 = local_5[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e520 = local_4[_e511];
-                                        if _e512 {
+                                        let _e521 = local_4[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e522 = local_3[_e511];
-                                        if _e512 {
+                                        let _e523 = local_3[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e524 = local_2[_e511];
-                                        if _e512 {
+                                        let _e525 = local_2[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e529 = local_8[_e511];
-                                        if _e512 {
+                                        let _e530 = local_8[_e512];
+                                        if _e513 {
                                         } else {
-                                            phi_4104_ = true;
+                                            phi_4405_ = true;
                                             break;
                                         }
-                                        let _e532 = local_9[_e511];
-                                        phi_969_ = type_49(type_30(vec4<f32>(_e514, _e516, _e518, 0f), vec4<f32>(_e520, _e522, _e524, 0f)), _e529);
-                                        phi_970_ = (_e532 <= _e497.member.member_1);
-                                        phi_971_ = _e510;
+                                        let _e533 = local_9[_e512];
+                                        phi_975_ = type_49(type_30(vec4<f32>(_e515, _e517, _e519, 0f), vec4<f32>(_e521, _e523, _e525, 0f)), _e530);
+                                        phi_976_ = (_e533 <= _e498.member.member_1);
+                                        phi_977_ = _e511;
                                     }
-                                    let _e537 = phi_969_;
-                                    let _e539 = phi_970_;
-                                    let _e541 = phi_971_;
-                                    if _e539 {
-                                        let _e546 = (_e537.member_1 & 268435455u);
-                                        if ((_e537.member_1 & 2147483648u) != 0u) {
-                                            phi_990_ = _e497;
-                                            phi_993_ = type_8(0u, ((_e537.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e538 = phi_975_;
+                                    let _e540 = phi_976_;
+                                    let _e542 = phi_977_;
+                                    if _e540 {
+                                        let _e547 = (_e538.member_1 & 268435455u);
+                                        if ((_e538.member_1 & 2147483648u) != 0u) {
+                                            phi_996_ = _e498;
+                                            phi_999_ = type_8(0u, ((_e538.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1031 = phi_990_;
-                                                let _e1033 = phi_993_;
-                                                local_12 = _e1031;
-                                                if (_e1033.member < _e1033.member_1) {
-                                                    phi_994_ = type_8((_e1033.member + 1u), _e1033.member_1);
-                                                    phi_1016_ = type_8(1u, _e1033.member);
+                                                let _e1032 = phi_996_;
+                                                let _e1034 = phi_999_;
+                                                local_12 = _e1032;
+                                                if (_e1034.member < _e1034.member_1) {
+                                                    phi_1000_ = type_8((_e1034.member + 1u), _e1034.member_1);
+                                                    phi_1022_ = type_8(1u, _e1034.member);
                                                 } else {
-                                                    phi_994_ = _e1033;
-                                                    phi_1016_ = type_8(0u, type_8().member_1);
+                                                    phi_1000_ = _e1034;
+                                                    phi_1022_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1046 = phi_994_;
-                                                let _e1048 = phi_1016_;
-                                                let _e1052 = (bitcast<i32>(_e1048.member) != 0i);
-                                                if _e1052 {
-                                                    let _e1058 = type_38(_e1031.member, _e1031.member_1, (_e1031.member_2 + 1u));
-                                                    let _e1063 = (_e537.member.member_1.x - _e537.member.member.x);
-                                                    let _e1066 = (_e537.member.member_1.y - _e537.member.member.y);
-                                                    let _e1069 = (_e537.member.member_1.z - _e537.member.member.z);
-                                                    let _e1071 = select(_e1066, _e1063, (_e1063 > _e1066));
-                                                    let _e1073 = select(_e1069, _e1071, (_e1071 > _e1069));
-                                                    let _e1075 = (_e1073 < (1024f * _e144));
-                                                    if _e1075 {
-                                                        phi_1060_ = 0u;
+                                                let _e1047 = phi_1000_;
+                                                let _e1049 = phi_1022_;
+                                                let _e1053 = (bitcast<i32>(_e1049.member) != 0i);
+                                                if _e1053 {
+                                                    let _e1059 = type_38(_e1032.member, _e1032.member_1, (_e1032.member_2 + 1u));
+                                                    let _e1064 = (_e538.member.member_1.x - _e538.member.member.x);
+                                                    let _e1067 = (_e538.member.member_1.y - _e538.member.member.y);
+                                                    let _e1070 = (_e538.member.member_1.z - _e538.member.member.z);
+                                                    let _e1072 = select(_e1067, _e1064, (_e1064 > _e1067));
+                                                    let _e1074 = select(_e1070, _e1072, (_e1072 > _e1070));
+                                                    let _e1076 = (_e1074 < (1024f * _e145));
+                                                    if _e1076 {
+                                                        phi_1066_ = 0u;
                                                     } else {
-                                                        phi_1060_ = select(2u, 1u, (_e1073 < (2097152f * _e144)));
+                                                        phi_1066_ = select(2u, 1u, (_e1074 < (2097152f * _e145)));
                                                     }
-                                                    let _e1080 = phi_1060_;
-                                                    switch bitcast<i32>(_e1080) {
+                                                    let _e1081 = phi_1066_;
+                                                    switch bitcast<i32>(_e1081) {
                                                         case 0: {
-                                                            phi_1066_ = 1u;
+                                                            phi_1072_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1066_ = 2u;
+                                                            phi_1072_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1066_ = 3u;
+                                                            phi_1072_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1066_ = u32();
+                                                            phi_1072_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1083 = phi_1066_;
-                                                    switch bitcast<i32>(_e1080) {
+                                                    let _e1084 = phi_1072_;
+                                                    switch bitcast<i32>(_e1081) {
                                                         case 0: {
-                                                            phi_1076_ = 1u;
+                                                            phi_1082_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1076_ = 2u;
+                                                            phi_1082_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1076_ = 3u;
+                                                            phi_1082_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1076_ = u32();
+                                                            phi_1082_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1090 = phi_1076_;
-                                                    let _e1092 = ((_e546 + (_e1048.member_1 * ((3u * _e1083) + 1u))) + (3u * _e1090));
-                                                    let _e1093 = (_e1092 < _e92);
-                                                    if _e1093 {
-                                                        if _e1093 {
+                                                    let _e1091 = phi_1082_;
+                                                    let _e1093 = ((_e547 + (_e1049.member_1 * ((3u * _e1084) + 1u))) + (3u * _e1091));
+                                                    let _e1094 = (_e1093 < _e93);
+                                                    if _e1094 {
+                                                        if _e1094 {
                                                         } else {
-                                                            phi_3943_ = true;
+                                                            phi_4216_ = true;
                                                             break;
                                                         }
-                                                        let _e1095 = global_7.member[_e1092];
-                                                        phi_1092_ = _e1095;
+                                                        let _e1096 = global_7.member[_e1093];
+                                                        phi_1098_ = _e1096;
                                                     } else {
-                                                        phi_1092_ = 4294967295u;
+                                                        phi_1098_ = 4294967295u;
                                                     }
-                                                    let _e1097 = phi_1092_;
-                                                    if _e1075 {
-                                                        phi_1125_ = 0u;
+                                                    let _e1098 = phi_1098_;
+                                                    if _e1076 {
+                                                        phi_1131_ = 0u;
                                                     } else {
-                                                        phi_1125_ = select(2u, 1u, (_e1073 < (2097152f * _e144)));
+                                                        phi_1131_ = select(2u, 1u, (_e1074 < (2097152f * _e145)));
                                                     }
-                                                    let _e1102 = phi_1125_;
-                                                    switch bitcast<i32>(_e1102) {
+                                                    let _e1103 = phi_1131_;
+                                                    switch bitcast<i32>(_e1103) {
                                                         case 0: {
-                                                            phi_1131_ = 1u;
+                                                            phi_1137_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1131_ = 2u;
+                                                            phi_1137_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1131_ = 3u;
+                                                            phi_1137_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1131_ = u32();
+                                                            phi_1137_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1105 = phi_1131_;
-                                                    let _e1109 = (_e546 + (_e1048.member_1 * ((3u * _e1105) + 1u)));
-                                                    switch bitcast<i32>(_e1102) {
+                                                    let _e1106 = phi_1137_;
+                                                    let _e1110 = (_e547 + (_e1049.member_1 * ((3u * _e1106) + 1u)));
+                                                    switch bitcast<i32>(_e1103) {
                                                         case 0: {
-                                                            let _e1375 = (_e1109 < _e92);
-                                                            if _e1375 {
-                                                                if _e1375 {
+                                                            let _e1376 = (_e1110 < _e93);
+                                                            if _e1376 {
+                                                                if _e1376 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1377 = global_7.member[_e1109];
-                                                                phi_1155_ = _e1377;
+                                                                let _e1378 = global_7.member[_e1110];
+                                                                phi_1161_ = _e1378;
                                                             } else {
-                                                                phi_1155_ = 0u;
+                                                                phi_1161_ = 0u;
                                                             }
-                                                            let _e1379 = phi_1155_;
-                                                            let _e1381 = ((10u * _e270) & 31u);
-                                                            let _e1390 = ((10u * _e269) & 31u);
-                                                            let _e1399 = ((10u * _e271) & 31u);
-                                                            let _e1408 = (_e1109 + 1u);
-                                                            let _e1409 = (_e1408 < _e92);
-                                                            if _e1409 {
-                                                                if _e1409 {
+                                                            let _e1380 = phi_1161_;
+                                                            let _e1382 = ((10u * _e271) & 31u);
+                                                            let _e1391 = ((10u * _e270) & 31u);
+                                                            let _e1400 = ((10u * _e272) & 31u);
+                                                            let _e1409 = (_e1110 + 1u);
+                                                            let _e1410 = (_e1409 < _e93);
+                                                            if _e1410 {
+                                                                if _e1410 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1411 = global_7.member[_e1408];
-                                                                phi_1198_ = _e1411;
+                                                                let _e1412 = global_7.member[_e1409];
+                                                                phi_1204_ = _e1412;
                                                             } else {
-                                                                phi_1198_ = 0u;
+                                                                phi_1204_ = 0u;
                                                             }
-                                                            let _e1413 = phi_1198_;
-                                                            let _e1436 = (_e1109 + 2u);
-                                                            let _e1437 = (_e1436 < _e92);
-                                                            if _e1437 {
-                                                                if _e1437 {
+                                                            let _e1414 = phi_1204_;
+                                                            let _e1437 = (_e1110 + 2u);
+                                                            let _e1438 = (_e1437 < _e93);
+                                                            if _e1438 {
+                                                                if _e1438 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1439 = global_7.member[_e1436];
-                                                                phi_1241_ = _e1439;
+                                                                let _e1440 = global_7.member[_e1437];
+                                                                phi_1247_ = _e1440;
                                                             } else {
-                                                                phi_1241_ = 0u;
+                                                                phi_1247_ = 0u;
                                                             }
-                                                            let _e1441 = phi_1241_;
-                                                            phi_1712_ = array<array<f32, 3>, 3>(array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>(((_e1379 >> bitcast<u32>(_e1381)) & 1023u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>(((_e1379 >> bitcast<u32>(_e1390)) & 1023u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>(((_e1379 >> bitcast<u32>(_e1399)) & 1023u))) * _e144))), array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>(((_e1413 >> bitcast<u32>(_e1381)) & 1023u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>(((_e1413 >> bitcast<u32>(_e1390)) & 1023u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>(((_e1413 >> bitcast<u32>(_e1399)) & 1023u))) * _e144))), array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>(((_e1441 >> bitcast<u32>(_e1381)) & 1023u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>(((_e1441 >> bitcast<u32>(_e1390)) & 1023u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>(((_e1441 >> bitcast<u32>(_e1399)) & 1023u))) * _e144))));
+                                                            let _e1442 = phi_1247_;
+                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>(((_e1380 >> bitcast<u32>(_e1382)) & 1023u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>(((_e1380 >> bitcast<u32>(_e1391)) & 1023u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>(((_e1380 >> bitcast<u32>(_e1400)) & 1023u))) * _e145))), array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>(((_e1414 >> bitcast<u32>(_e1382)) & 1023u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>(((_e1414 >> bitcast<u32>(_e1391)) & 1023u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>(((_e1414 >> bitcast<u32>(_e1400)) & 1023u))) * _e145))), array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>(((_e1442 >> bitcast<u32>(_e1382)) & 1023u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>(((_e1442 >> bitcast<u32>(_e1391)) & 1023u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>(((_e1442 >> bitcast<u32>(_e1400)) & 1023u))) * _e145))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1198 = (_e1109 < _e92);
-                                                            if _e1198 {
-                                                                if _e1198 {
+                                                            let _e1199 = (_e1110 < _e93);
+                                                            if _e1199 {
+                                                                if _e1199 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1200 = global_7.member[_e1109];
-                                                                phi_1284_ = _e1200;
+                                                                let _e1201 = global_7.member[_e1110];
+                                                                phi_1290_ = _e1201;
                                                             } else {
-                                                                phi_1284_ = 0u;
+                                                                phi_1290_ = 0u;
                                                             }
-                                                            let _e1202 = phi_1284_;
-                                                            let _e1203 = (_e1109 + 1u);
-                                                            let _e1204 = (_e1203 < _e92);
-                                                            if _e1204 {
-                                                                if _e1204 {
+                                                            let _e1203 = phi_1290_;
+                                                            let _e1204 = (_e1110 + 1u);
+                                                            let _e1205 = (_e1204 < _e93);
+                                                            if _e1205 {
+                                                                if _e1205 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1206 = global_7.member[_e1203];
-                                                                phi_1299_ = _e1206;
+                                                                let _e1207 = global_7.member[_e1204];
+                                                                phi_1305_ = _e1207;
                                                             } else {
-                                                                phi_1299_ = 0u;
+                                                                phi_1305_ = 0u;
                                                             }
-                                                            let _e1208 = phi_1299_;
-                                                            let _e1209 = (_e270 == 1u);
-                                                            if _e1209 {
-                                                                phi_1309_ = ((_e1202 >> bitcast<u32>(21i)) | (_e1208 << bitcast<u32>(11i)));
+                                                            let _e1209 = phi_1305_;
+                                                            let _e1210 = (_e271 == 1u);
+                                                            if _e1210 {
+                                                                phi_1315_ = ((_e1203 >> bitcast<u32>(21i)) | (_e1209 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1309_ = (_e1208 >> bitcast<u32>(10i));
+                                                                phi_1315_ = (_e1209 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1218 = phi_1309_;
-                                                            let _e1225 = (_e269 == 1u);
-                                                            if _e1225 {
-                                                                phi_1329_ = ((_e1202 >> bitcast<u32>(21i)) | (_e1208 << bitcast<u32>(11i)));
+                                                            let _e1219 = phi_1315_;
+                                                            let _e1226 = (_e270 == 1u);
+                                                            if _e1226 {
+                                                                phi_1335_ = ((_e1203 >> bitcast<u32>(21i)) | (_e1209 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1329_ = (_e1208 >> bitcast<u32>(10i));
+                                                                phi_1335_ = (_e1209 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1234 = phi_1329_;
-                                                            let _e1241 = (_e271 == 1u);
-                                                            if _e1241 {
-                                                                phi_1349_ = ((_e1202 >> bitcast<u32>(21i)) | (_e1208 << bitcast<u32>(11i)));
+                                                            let _e1235 = phi_1335_;
+                                                            let _e1242 = (_e272 == 1u);
+                                                            if _e1242 {
+                                                                phi_1355_ = ((_e1203 >> bitcast<u32>(21i)) | (_e1209 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1349_ = (_e1208 >> bitcast<u32>(10i));
+                                                                phi_1355_ = (_e1209 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1250 = phi_1349_;
-                                                            let _e1258 = (_e1109 + 2u);
-                                                            let _e1259 = (_e1258 < _e92);
-                                                            if _e1259 {
-                                                                if _e1259 {
+                                                            let _e1251 = phi_1355_;
+                                                            let _e1259 = (_e1110 + 2u);
+                                                            let _e1260 = (_e1259 < _e93);
+                                                            if _e1260 {
+                                                                if _e1260 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1261 = global_7.member[_e1258];
-                                                                phi_1375_ = _e1261;
+                                                                let _e1262 = global_7.member[_e1259];
+                                                                phi_1381_ = _e1262;
                                                             } else {
-                                                                phi_1375_ = 0u;
+                                                                phi_1381_ = 0u;
                                                             }
-                                                            let _e1263 = phi_1375_;
-                                                            let _e1264 = (_e1109 + 3u);
-                                                            let _e1265 = (_e1264 < _e92);
-                                                            if _e1265 {
-                                                                if _e1265 {
+                                                            let _e1264 = phi_1381_;
+                                                            let _e1265 = (_e1110 + 3u);
+                                                            let _e1266 = (_e1265 < _e93);
+                                                            if _e1266 {
+                                                                if _e1266 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1267 = global_7.member[_e1264];
-                                                                phi_1390_ = _e1267;
+                                                                let _e1268 = global_7.member[_e1265];
+                                                                phi_1396_ = _e1268;
                                                             } else {
-                                                                phi_1390_ = 0u;
+                                                                phi_1396_ = 0u;
                                                             }
-                                                            let _e1269 = phi_1390_;
-                                                            if _e1209 {
-                                                                phi_1400_ = ((_e1263 >> bitcast<u32>(21i)) | (_e1269 << bitcast<u32>(11i)));
+                                                            let _e1270 = phi_1396_;
+                                                            if _e1210 {
+                                                                phi_1406_ = ((_e1264 >> bitcast<u32>(21i)) | (_e1270 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1400_ = (_e1269 >> bitcast<u32>(10i));
+                                                                phi_1406_ = (_e1270 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1278 = phi_1400_;
-                                                            if _e1225 {
-                                                                phi_1420_ = ((_e1263 >> bitcast<u32>(21i)) | (_e1269 << bitcast<u32>(11i)));
+                                                            let _e1279 = phi_1406_;
+                                                            if _e1226 {
+                                                                phi_1426_ = ((_e1264 >> bitcast<u32>(21i)) | (_e1270 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1420_ = (_e1269 >> bitcast<u32>(10i));
+                                                                phi_1426_ = (_e1270 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1293 = phi_1420_;
-                                                            if _e1241 {
-                                                                phi_1440_ = ((_e1263 >> bitcast<u32>(21i)) | (_e1269 << bitcast<u32>(11i)));
+                                                            let _e1294 = phi_1426_;
+                                                            if _e1242 {
+                                                                phi_1446_ = ((_e1264 >> bitcast<u32>(21i)) | (_e1270 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1440_ = (_e1269 >> bitcast<u32>(10i));
+                                                                phi_1446_ = (_e1270 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1308 = phi_1440_;
-                                                            let _e1316 = (_e1109 + 4u);
-                                                            let _e1317 = (_e1316 < _e92);
-                                                            if _e1317 {
-                                                                if _e1317 {
+                                                            let _e1309 = phi_1446_;
+                                                            let _e1317 = (_e1110 + 4u);
+                                                            let _e1318 = (_e1317 < _e93);
+                                                            if _e1318 {
+                                                                if _e1318 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1319 = global_7.member[_e1316];
-                                                                phi_1466_ = _e1319;
+                                                                let _e1320 = global_7.member[_e1317];
+                                                                phi_1472_ = _e1320;
                                                             } else {
-                                                                phi_1466_ = 0u;
+                                                                phi_1472_ = 0u;
                                                             }
-                                                            let _e1321 = phi_1466_;
-                                                            let _e1322 = (_e1109 + 5u);
-                                                            let _e1323 = (_e1322 < _e92);
-                                                            if _e1323 {
-                                                                if _e1323 {
+                                                            let _e1322 = phi_1472_;
+                                                            let _e1323 = (_e1110 + 5u);
+                                                            let _e1324 = (_e1323 < _e93);
+                                                            if _e1324 {
+                                                                if _e1324 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1325 = global_7.member[_e1322];
-                                                                phi_1481_ = _e1325;
+                                                                let _e1326 = global_7.member[_e1323];
+                                                                phi_1487_ = _e1326;
                                                             } else {
-                                                                phi_1481_ = 0u;
+                                                                phi_1487_ = 0u;
                                                             }
-                                                            let _e1327 = phi_1481_;
-                                                            if _e1209 {
-                                                                phi_1491_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                            let _e1328 = phi_1487_;
+                                                            if _e1210 {
+                                                                phi_1497_ = ((_e1322 >> bitcast<u32>(21i)) | (_e1328 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1491_ = (_e1327 >> bitcast<u32>(10i));
+                                                                phi_1497_ = (_e1328 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1336 = phi_1491_;
-                                                            if _e1225 {
-                                                                phi_1511_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                            let _e1337 = phi_1497_;
+                                                            if _e1226 {
+                                                                phi_1517_ = ((_e1322 >> bitcast<u32>(21i)) | (_e1328 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1511_ = (_e1327 >> bitcast<u32>(10i));
+                                                                phi_1517_ = (_e1328 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1351 = phi_1511_;
-                                                            if _e1241 {
-                                                                phi_1531_ = ((_e1321 >> bitcast<u32>(21i)) | (_e1327 << bitcast<u32>(11i)));
+                                                            let _e1352 = phi_1517_;
+                                                            if _e1242 {
+                                                                phi_1537_ = ((_e1322 >> bitcast<u32>(21i)) | (_e1328 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1531_ = (_e1327 >> bitcast<u32>(10i));
+                                                                phi_1537_ = (_e1328 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1366 = phi_1531_;
-                                                            phi_1712_ = array<array<f32, 3>, 3>(array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>((select(_e1218, _e1202, _e294) & 2097151u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>((select(_e1234, _e1202, _e331) & 2097151u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>((select(_e1250, _e1202, _e367) & 2097151u))) * _e144))), array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>((select(_e1278, _e1263, _e294) & 2097151u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>((select(_e1293, _e1263, _e331) & 2097151u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>((select(_e1308, _e1263, _e367) & 2097151u))) * _e144))), array<f32, 3>((_e537.member.member.x + (f32(bitcast<i32>((select(_e1336, _e1321, _e294) & 2097151u))) * _e144)), (_e537.member.member.y + (f32(bitcast<i32>((select(_e1351, _e1321, _e331) & 2097151u))) * _e144)), (_e537.member.member.z + (f32(bitcast<i32>((select(_e1366, _e1321, _e367) & 2097151u))) * _e144))));
+                                                            let _e1367 = phi_1537_;
+                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>((select(_e1219, _e1203, _e295) & 2097151u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>((select(_e1235, _e1203, _e332) & 2097151u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>((select(_e1251, _e1203, _e368) & 2097151u))) * _e145))), array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>((select(_e1279, _e1264, _e295) & 2097151u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>((select(_e1294, _e1264, _e332) & 2097151u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>((select(_e1309, _e1264, _e368) & 2097151u))) * _e145))), array<f32, 3>((_e538.member.member.x + (f32(bitcast<i32>((select(_e1337, _e1322, _e295) & 2097151u))) * _e145)), (_e538.member.member.y + (f32(bitcast<i32>((select(_e1352, _e1322, _e332) & 2097151u))) * _e145)), (_e538.member.member.z + (f32(bitcast<i32>((select(_e1367, _e1322, _e368) & 2097151u))) * _e145))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1111 = (_e1109 + _e270);
-                                                            let _e1112 = (_e1111 < _e92);
-                                                            if _e1112 {
-                                                                if _e1112 {
+                                                            let _e1112 = (_e1110 + _e271);
+                                                            let _e1113 = (_e1112 < _e93);
+                                                            if _e1113 {
+                                                                if _e1113 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1114 = global_7.member[_e1111];
-                                                                phi_1558_ = _e1114;
+                                                                let _e1115 = global_7.member[_e1112];
+                                                                phi_1564_ = _e1115;
                                                             } else {
-                                                                phi_1558_ = 0u;
+                                                                phi_1564_ = 0u;
                                                             }
-                                                            let _e1116 = phi_1558_;
-                                                            let _e1120 = (_e1109 + _e269);
-                                                            let _e1121 = (_e1120 < _e92);
-                                                            if _e1121 {
-                                                                if _e1121 {
+                                                            let _e1117 = phi_1564_;
+                                                            let _e1121 = (_e1110 + _e270);
+                                                            let _e1122 = (_e1121 < _e93);
+                                                            if _e1122 {
+                                                                if _e1122 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1123 = global_7.member[_e1120];
-                                                                phi_1576_ = _e1123;
+                                                                let _e1124 = global_7.member[_e1121];
+                                                                phi_1582_ = _e1124;
                                                             } else {
-                                                                phi_1576_ = 0u;
+                                                                phi_1582_ = 0u;
                                                             }
-                                                            let _e1125 = phi_1576_;
-                                                            let _e1129 = (_e1109 + _e271);
-                                                            let _e1130 = (_e1129 < _e92);
-                                                            if _e1130 {
-                                                                if _e1130 {
+                                                            let _e1126 = phi_1582_;
+                                                            let _e1130 = (_e1110 + _e272);
+                                                            let _e1131 = (_e1130 < _e93);
+                                                            if _e1131 {
+                                                                if _e1131 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1132 = global_7.member[_e1129];
-                                                                phi_1594_ = _e1132;
+                                                                let _e1133 = global_7.member[_e1130];
+                                                                phi_1600_ = _e1133;
                                                             } else {
-                                                                phi_1594_ = 0u;
+                                                                phi_1600_ = 0u;
                                                             }
-                                                            let _e1134 = phi_1594_;
-                                                            let _e1139 = (_e1109 + 3u);
-                                                            let _e1140 = (_e1139 + _e270);
-                                                            let _e1141 = (_e1140 < _e92);
-                                                            if _e1141 {
-                                                                if _e1141 {
+                                                            let _e1135 = phi_1600_;
+                                                            let _e1140 = (_e1110 + 3u);
+                                                            let _e1141 = (_e1140 + _e271);
+                                                            let _e1142 = (_e1141 < _e93);
+                                                            if _e1142 {
+                                                                if _e1142 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1143 = global_7.member[_e1140];
-                                                                phi_1614_ = _e1143;
+                                                                let _e1144 = global_7.member[_e1141];
+                                                                phi_1620_ = _e1144;
                                                             } else {
-                                                                phi_1614_ = 0u;
+                                                                phi_1620_ = 0u;
                                                             }
-                                                            let _e1145 = phi_1614_;
-                                                            let _e1149 = (_e1139 + _e269);
-                                                            let _e1150 = (_e1149 < _e92);
-                                                            if _e1150 {
-                                                                if _e1150 {
+                                                            let _e1146 = phi_1620_;
+                                                            let _e1150 = (_e1140 + _e270);
+                                                            let _e1151 = (_e1150 < _e93);
+                                                            if _e1151 {
+                                                                if _e1151 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1152 = global_7.member[_e1149];
-                                                                phi_1632_ = _e1152;
+                                                                let _e1153 = global_7.member[_e1150];
+                                                                phi_1638_ = _e1153;
                                                             } else {
-                                                                phi_1632_ = 0u;
+                                                                phi_1638_ = 0u;
                                                             }
-                                                            let _e1154 = phi_1632_;
-                                                            let _e1158 = (_e1139 + _e271);
-                                                            let _e1159 = (_e1158 < _e92);
-                                                            if _e1159 {
-                                                                if _e1159 {
+                                                            let _e1155 = phi_1638_;
+                                                            let _e1159 = (_e1140 + _e272);
+                                                            let _e1160 = (_e1159 < _e93);
+                                                            if _e1160 {
+                                                                if _e1160 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1161 = global_7.member[_e1158];
-                                                                phi_1650_ = _e1161;
+                                                                let _e1162 = global_7.member[_e1159];
+                                                                phi_1656_ = _e1162;
                                                             } else {
-                                                                phi_1650_ = 0u;
+                                                                phi_1656_ = 0u;
                                                             }
-                                                            let _e1163 = phi_1650_;
-                                                            let _e1168 = (_e1109 + 6u);
-                                                            let _e1169 = (_e1168 + _e270);
-                                                            let _e1170 = (_e1169 < _e92);
-                                                            if _e1170 {
-                                                                if _e1170 {
+                                                            let _e1164 = phi_1656_;
+                                                            let _e1169 = (_e1110 + 6u);
+                                                            let _e1170 = (_e1169 + _e271);
+                                                            let _e1171 = (_e1170 < _e93);
+                                                            if _e1171 {
+                                                                if _e1171 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1172 = global_7.member[_e1169];
-                                                                phi_1670_ = _e1172;
+                                                                let _e1173 = global_7.member[_e1170];
+                                                                phi_1676_ = _e1173;
                                                             } else {
-                                                                phi_1670_ = 0u;
+                                                                phi_1676_ = 0u;
                                                             }
-                                                            let _e1174 = phi_1670_;
-                                                            let _e1178 = (_e1168 + _e269);
-                                                            let _e1179 = (_e1178 < _e92);
-                                                            if _e1179 {
-                                                                if _e1179 {
+                                                            let _e1175 = phi_1676_;
+                                                            let _e1179 = (_e1169 + _e270);
+                                                            let _e1180 = (_e1179 < _e93);
+                                                            if _e1180 {
+                                                                if _e1180 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1181 = global_7.member[_e1178];
-                                                                phi_1688_ = _e1181;
+                                                                let _e1182 = global_7.member[_e1179];
+                                                                phi_1694_ = _e1182;
                                                             } else {
-                                                                phi_1688_ = 0u;
+                                                                phi_1694_ = 0u;
                                                             }
-                                                            let _e1183 = phi_1688_;
-                                                            let _e1187 = (_e1168 + _e271);
-                                                            let _e1188 = (_e1187 < _e92);
-                                                            if _e1188 {
-                                                                if _e1188 {
+                                                            let _e1184 = phi_1694_;
+                                                            let _e1188 = (_e1169 + _e272);
+                                                            let _e1189 = (_e1188 < _e93);
+                                                            if _e1189 {
+                                                                if _e1189 {
                                                                 } else {
-                                                                    phi_3943_ = true;
+                                                                    phi_4216_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1190 = global_7.member[_e1187];
-                                                                phi_1706_ = _e1190;
+                                                                let _e1191 = global_7.member[_e1188];
+                                                                phi_1712_ = _e1191;
                                                             } else {
-                                                                phi_1706_ = 0u;
+                                                                phi_1712_ = 0u;
                                                             }
-                                                            let _e1192 = phi_1706_;
-                                                            phi_1712_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1116)) * _e144), (f32(bitcast<i32>(_e1125)) * _e144), (f32(bitcast<i32>(_e1134)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1145)) * _e144), (f32(bitcast<i32>(_e1154)) * _e144), (f32(bitcast<i32>(_e1163)) * _e144)), array<f32, 3>((f32(bitcast<i32>(_e1174)) * _e144), (f32(bitcast<i32>(_e1183)) * _e144), (f32(bitcast<i32>(_e1192)) * _e144)));
+                                                            let _e1193 = phi_1712_;
+                                                            phi_1718_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1117)) * _e145), (f32(bitcast<i32>(_e1126)) * _e145), (f32(bitcast<i32>(_e1135)) * _e145)), array<f32, 3>((f32(bitcast<i32>(_e1146)) * _e145), (f32(bitcast<i32>(_e1155)) * _e145), (f32(bitcast<i32>(_e1164)) * _e145)), array<f32, 3>((f32(bitcast<i32>(_e1175)) * _e145), (f32(bitcast<i32>(_e1184)) * _e145), (f32(bitcast<i32>(_e1193)) * _e145)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1712_ = array<array<f32, 3>, 3>();
+                                                            phi_1718_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1466 = phi_1712_;
-                                                    let _e1475 = (_e1466[0][2] - _e375);
-                                                    let _e1478 = (((_e1466[0][0] - _e302) * _e399) - (_e1475 * _e327));
-                                                    let _e1481 = (((_e1466[0][1] - _e339) * _e399) - (_e1475 * _e363));
-                                                    let _e1488 = (_e1466[1][2] - _e375);
-                                                    let _e1491 = (((_e1466[1][0] - _e302) * _e399) - (_e1488 * _e327));
-                                                    let _e1494 = (((_e1466[1][1] - _e339) * _e399) - (_e1488 * _e363));
-                                                    let _e1501 = (_e1466[2][2] - _e375);
-                                                    let _e1504 = (((_e1466[2][0] - _e302) * _e399) - (_e1501 * _e327));
-                                                    let _e1507 = (((_e1466[2][1] - _e339) * _e399) - (_e1501 * _e363));
-                                                    let _e1508 = (_e1504 * _e1494);
-                                                    let _e1509 = (_e1507 * _e1491);
-                                                    let _e1510 = (_e1478 * _e1507);
-                                                    let _e1511 = (_e1481 * _e1504);
-                                                    let _e1512 = (_e1491 * _e1481);
-                                                    let _e1513 = (_e1494 * _e1478);
-                                                    let _e1518 = (((_e1508 >= _e1509) && (_e1510 >= _e1511)) && (_e1512 >= _e1513));
-                                                    if (_e1518 || (((_e1508 <= _e1509) && (_e1510 <= _e1511)) && (_e1512 <= _e1513))) {
-                                                        let _e1525 = select(-1f, 1f, _e1518);
-                                                        let _e1527 = ((_e1508 - _e1509) * _e1525);
-                                                        let _e1529 = select(0f, _e1527, (_e1527 > 0f));
-                                                        let _e1531 = ((_e1510 - _e1511) * _e1525);
-                                                        let _e1533 = select(0f, _e1531, (_e1531 > 0f));
-                                                        let _e1535 = ((_e1512 - _e1513) * _e1525);
-                                                        let _e1537 = select(0f, _e1535, (_e1535 > 0f));
-                                                        let _e1539 = ((_e1529 + _e1533) + _e1537);
-                                                        if (_e1539 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2278_ = type_18();
-                                                            phi_2279_ = true;
+                                                    let _e1467 = phi_1718_;
+                                                    let _e1476 = (_e1467[0][2] - _e376);
+                                                    let _e1479 = (((_e1467[0][0] - _e303) * _e400) - (_e1476 * _e328));
+                                                    let _e1482 = (((_e1467[0][1] - _e340) * _e400) - (_e1476 * _e364));
+                                                    let _e1489 = (_e1467[1][2] - _e376);
+                                                    let _e1492 = (((_e1467[1][0] - _e303) * _e400) - (_e1489 * _e328));
+                                                    let _e1495 = (((_e1467[1][1] - _e340) * _e400) - (_e1489 * _e364));
+                                                    let _e1502 = (_e1467[2][2] - _e376);
+                                                    let _e1505 = (((_e1467[2][0] - _e303) * _e400) - (_e1502 * _e328));
+                                                    let _e1508 = (((_e1467[2][1] - _e340) * _e400) - (_e1502 * _e364));
+                                                    let _e1509 = (_e1505 * _e1495);
+                                                    let _e1510 = (_e1508 * _e1492);
+                                                    let _e1511 = (_e1479 * _e1508);
+                                                    let _e1512 = (_e1482 * _e1505);
+                                                    let _e1513 = (_e1492 * _e1482);
+                                                    let _e1514 = (_e1495 * _e1479);
+                                                    let _e1519 = (((_e1509 >= _e1510) && (_e1511 >= _e1512)) && (_e1513 >= _e1514));
+                                                    if (_e1519 || (((_e1509 <= _e1510) && (_e1511 <= _e1512)) && (_e1513 <= _e1514))) {
+                                                        let _e1526 = select(-1f, 1f, _e1519);
+                                                        let _e1528 = ((_e1509 - _e1510) * _e1526);
+                                                        let _e1530 = select(0f, _e1528, (_e1528 > 0f));
+                                                        let _e1532 = ((_e1511 - _e1512) * _e1526);
+                                                        let _e1534 = select(0f, _e1532, (_e1532 > 0f));
+                                                        let _e1536 = ((_e1513 - _e1514) * _e1526);
+                                                        let _e1538 = select(0f, _e1536, (_e1536 > 0f));
+                                                        let _e1540 = ((_e1530 + _e1534) + _e1538);
+                                                        if (_e1540 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2546_ = type_18();
+                                                            phi_2547_ = true;
+                                                            phi_2548_ = false;
                                                         } else {
-                                                            let _e1542 = select(_e1466[1][0], _e1466[0][0], (_e1466[0][0] < _e1466[1][0]));
-                                                            let _e1546 = select(_e1466[1][0], _e1466[0][0], (_e1466[0][0] > _e1466[1][0]));
-                                                            let _e1550 = select(_e1466[1][1], _e1466[0][1], (_e1466[0][1] < _e1466[1][1]));
-                                                            let _e1554 = select(_e1466[1][1], _e1466[0][1], (_e1466[0][1] > _e1466[1][1]));
-                                                            let _e1558 = select(_e1466[1][2], _e1466[0][2], (_e1466[0][2] < _e1466[1][2]));
-                                                            let _e1562 = select(_e1466[1][2], _e1466[0][2], (_e1466[0][2] > _e1466[1][2]));
-                                                            let _e1567 = ((select(_e1466[2][0], _e1542, (_e1542 < _e1466[2][0])) - _e325) * _e330);
-                                                            let _e1568 = ((select(_e1466[2][0], _e1546, (_e1546 > _e1466[2][0])) - _e326) * _e330);
-                                                            let _e1571 = ((select(_e1466[2][1], _e1550, (_e1550 < _e1466[2][1])) - _e361) * _e366);
-                                                            let _e1572 = ((select(_e1466[2][1], _e1554, (_e1554 > _e1466[2][1])) - _e362) * _e366);
-                                                            let _e1575 = ((select(_e1466[2][2], _e1558, (_e1558 < _e1466[2][2])) - _e397) * _e402);
-                                                            let _e1576 = ((select(_e1466[2][2], _e1562, (_e1562 > _e1466[2][2])) - _e398) * _e402);
-                                                            let _e1578 = select(_e1576, _e1575, (_e1575 < _e1576));
-                                                            let _e1580 = select(_e1576, _e1575, (_e1575 > _e1576));
-                                                            let _e1582 = select(_e1568, _e1567, (_e1567 < _e1568));
-                                                            let _e1584 = select(_e1572, _e1571, (_e1571 < _e1572));
-                                                            let _e1586 = select(_e1584, _e1582, (_e1582 > _e1584));
-                                                            let _e1588 = select(_e1578, _e1586, (_e1586 > _e1578));
-                                                            let _e1590 = select(_e1568, _e1567, (_e1567 > _e1568));
-                                                            let _e1592 = select(_e1572, _e1571, (_e1571 > _e1572));
-                                                            let _e1594 = select(_e1592, _e1590, (_e1590 < _e1592));
-                                                            let _e1596 = select(_e1580, _e1594, (_e1594 < _e1580));
-                                                            let _e1597 = -(_e1578);
-                                                            let _e1603 = select(_e448, _e1588, (_e1588 > _e448));
-                                                            if (_e1603 > (_e1596 + (select(_e1597, _e1580, (_e1580 > _e1597)) * 0.0000019073523f))) {
-                                                                phi_2273_ = type_18();
-                                                                phi_2274_ = true;
+                                                            let _e1543 = select(_e1492, _e1479, (_e1479 < _e1492));
+                                                            if (select(_e1505, _e1543, (_e1543 < _e1505)) > 0f) {
+                                                                phi_1835_ = true;
                                                             } else {
-                                                                let _e1605 = (_e1603 > _e1031.member.member_1);
-                                                                if _e1605 {
-                                                                    phi_2272_ = type_18();
+                                                                let _e1548 = select(_e1492, _e1479, (_e1479 > _e1492));
+                                                                phi_1835_ = (select(_e1505, _e1548, (_e1548 > _e1505)) < 0f);
+                                                            }
+                                                            let _e1553 = phi_1835_;
+                                                            if _e1553 {
+                                                                phi_2543_ = type_18();
+                                                                phi_2544_ = true;
+                                                                phi_2545_ = false;
+                                                            } else {
+                                                                let _e1555 = select(_e1495, _e1482, (_e1482 < _e1495));
+                                                                if (select(_e1508, _e1555, (_e1555 < _e1508)) > 0f) {
+                                                                    phi_1864_ = true;
                                                                 } else {
-                                                                    let _e1609 = (_e1466[1][0] - _e1466[0][0]);
-                                                                    let _e1610 = (_e1466[1][1] - _e1466[0][1]);
-                                                                    let _e1611 = (_e1466[1][2] - _e1466[0][2]);
-                                                                    let _e1612 = vec3<f32>(_e1609, _e1610, _e1611);
-                                                                    let _e1613 = (_e1466[2][0] - _e1466[1][0]);
-                                                                    let _e1614 = (_e1466[2][1] - _e1466[1][1]);
-                                                                    let _e1615 = (_e1466[2][2] - _e1466[1][2]);
-                                                                    let _e1616 = vec3<f32>(_e1613, _e1614, _e1615);
-                                                                    let _e1617 = (_e1466[0][0] - _e1466[2][0]);
-                                                                    let _e1618 = (_e1466[0][1] - _e1466[2][1]);
-                                                                    let _e1619 = (_e1466[0][2] - _e1466[2][2]);
-                                                                    let _e1620 = vec3<f32>(_e1617, _e1618, _e1619);
-                                                                    let _e1623 = bitcast<f32>((bitcast<u32>(_e1609) & 2147483647u));
-                                                                    let _e1626 = bitcast<f32>((bitcast<u32>(_e1610) & 2147483647u));
-                                                                    let _e1628 = select(_e1626, _e1623, (_e1623 > _e1626));
-                                                                    let _e1631 = bitcast<f32>((bitcast<u32>(_e1611) & 2147483647u));
-                                                                    let _e1633 = select(_e1631, _e1628, (_e1628 > _e1631));
-                                                                    let _e1636 = bitcast<f32>((bitcast<u32>(_e1613) & 2147483647u));
-                                                                    let _e1639 = bitcast<f32>((bitcast<u32>(_e1614) & 2147483647u));
-                                                                    let _e1641 = select(_e1639, _e1636, (_e1636 > _e1639));
-                                                                    let _e1644 = bitcast<f32>((bitcast<u32>(_e1615) & 2147483647u));
-                                                                    let _e1646 = select(_e1644, _e1641, (_e1641 > _e1644));
-                                                                    let _e1649 = bitcast<f32>((bitcast<u32>(_e1617) & 2147483647u));
-                                                                    let _e1652 = bitcast<f32>((bitcast<u32>(_e1618) & 2147483647u));
-                                                                    let _e1654 = select(_e1652, _e1649, (_e1649 > _e1652));
-                                                                    let _e1657 = bitcast<f32>((bitcast<u32>(_e1619) & 2147483647u));
-                                                                    let _e1659 = select(_e1657, _e1654, (_e1654 > _e1657));
-                                                                    let _e1661 = select(_e1646, _e1633, (_e1633 > _e1646));
-                                                                    let _e1663 = select(_e1659, _e1661, (_e1661 > _e1659));
-                                                                    if (_e1633 == _e1663) {
-                                                                        phi_2183_ = _e1616;
-                                                                        phi_2184_ = _e1620;
+                                                                    let _e1560 = select(_e1495, _e1482, (_e1482 > _e1495));
+                                                                    phi_1864_ = (select(_e1508, _e1560, (_e1560 > _e1508)) < 0f);
+                                                                }
+                                                                let _e1565 = phi_1864_;
+                                                                if _e1565 {
+                                                                    phi_2541_ = type_18();
+                                                                    phi_2542_ = false;
+                                                                } else {
+                                                                    let _e1567 = select(_e1467[1][0], _e1467[0][0], (_e1467[0][0] < _e1467[1][0]));
+                                                                    let _e1571 = select(_e1467[1][0], _e1467[0][0], (_e1467[0][0] > _e1467[1][0]));
+                                                                    let _e1575 = select(_e1467[1][1], _e1467[0][1], (_e1467[0][1] < _e1467[1][1]));
+                                                                    let _e1579 = select(_e1467[1][1], _e1467[0][1], (_e1467[0][1] > _e1467[1][1]));
+                                                                    let _e1583 = select(_e1467[1][2], _e1467[0][2], (_e1467[0][2] < _e1467[1][2]));
+                                                                    let _e1587 = select(_e1467[1][2], _e1467[0][2], (_e1467[0][2] > _e1467[1][2]));
+                                                                    let _e1592 = ((select(_e1467[2][0], _e1567, (_e1567 < _e1467[2][0])) - _e326) * _e331);
+                                                                    let _e1593 = ((select(_e1467[2][0], _e1571, (_e1571 > _e1467[2][0])) - _e327) * _e331);
+                                                                    let _e1596 = ((select(_e1467[2][1], _e1575, (_e1575 < _e1467[2][1])) - _e362) * _e367);
+                                                                    let _e1597 = ((select(_e1467[2][1], _e1579, (_e1579 > _e1467[2][1])) - _e363) * _e367);
+                                                                    let _e1600 = ((select(_e1467[2][2], _e1583, (_e1583 < _e1467[2][2])) - _e398) * _e403);
+                                                                    let _e1601 = ((select(_e1467[2][2], _e1587, (_e1587 > _e1467[2][2])) - _e399) * _e403);
+                                                                    let _e1603 = select(_e1601, _e1600, (_e1600 < _e1601));
+                                                                    let _e1605 = select(_e1601, _e1600, (_e1600 > _e1601));
+                                                                    let _e1607 = select(_e1593, _e1592, (_e1592 < _e1593));
+                                                                    let _e1609 = select(_e1597, _e1596, (_e1596 < _e1597));
+                                                                    let _e1611 = select(_e1609, _e1607, (_e1607 > _e1609));
+                                                                    let _e1613 = select(_e1603, _e1611, (_e1611 > _e1603));
+                                                                    let _e1615 = select(_e1593, _e1592, (_e1592 > _e1593));
+                                                                    let _e1617 = select(_e1597, _e1596, (_e1596 > _e1597));
+                                                                    let _e1619 = select(_e1617, _e1615, (_e1615 < _e1617));
+                                                                    let _e1621 = select(_e1605, _e1619, (_e1619 < _e1605));
+                                                                    let _e1622 = -(_e1603);
+                                                                    let _e1628 = select(_e449, _e1613, (_e1613 > _e449));
+                                                                    if (_e1628 > (_e1621 + (select(_e1622, _e1605, (_e1605 > _e1622)) * 0.0000019073523f))) {
+                                                                        phi_2536_ = type_18();
+                                                                        phi_2537_ = true;
                                                                     } else {
-                                                                        let _e1666 = vec3((_e1646 == _e1663));
-                                                                        phi_2183_ = select(_e1612, _e1620, _e1666);
-                                                                        phi_2184_ = select(_e1616, _e1612, _e1666);
-                                                                    }
-                                                                    let _e1670 = phi_2183_;
-                                                                    let _e1672 = phi_2184_;
-                                                                    let _e1679 = ((_e1670.y * _e1672.z) - (_e1672.y * _e1670.z));
-                                                                    let _e1684 = ((_e1670.z * _e1672.x) - (_e1672.z * _e1670.x));
-                                                                    let _e1687 = ((_e1670.x * _e1672.y) - (_e1672.x * _e1670.y));
-                                                                    if (_e1529 >= _e1533) {
-                                                                        phi_2215_ = select(true, false, (_e1529 >= _e1537));
-                                                                    } else {
-                                                                        phi_2215_ = true;
-                                                                    }
-                                                                    let _e1692 = phi_2215_;
-                                                                    if _e1692 {
-                                                                        phi_2224_ = select(vec3<f32>(_e1466[2][0], _e1466[2][1], _e1466[2][2]), vec3<f32>(_e1466[1][0], _e1466[1][1], _e1466[1][2]), vec3((_e1533 >= _e1537)));
-                                                                    } else {
-                                                                        phi_2224_ = vec3<f32>(_e1466[0][0], _e1466[0][1], _e1466[0][2]);
-                                                                    }
-                                                                    let _e1697 = phi_2224_;
-                                                                    let _e1714 = ((((_e1679 * (_e1697.x - _e302)) + (_e1684 * (_e1697.y - _e339))) + (_e1687 * (_e1697.z - _e375))) / (((_e1679 * _e327) + (_e1684 * _e363)) + (_e1687 * _e399)));
-                                                                    let _e1716 = select(_e1596, _e1714, (_e1714 < _e1596));
-                                                                    let _e1718 = select(_e1588, _e1716, (_e1716 > _e1588));
-                                                                    if (_e1718 >= _e448) {
-                                                                        let _e1720 = (_e1718 <= _e1031.member.member_1);
-                                                                        if _e1720 {
-                                                                            let _e1721 = (1f / _e1539);
-                                                                            phi_2264_ = type_18(_e1718, (_e1533 * _e1721), (_e1537 * _e1721), _e1097);
+                                                                        let _e1630 = (_e1628 > _e1032.member.member_1);
+                                                                        if _e1630 {
+                                                                            phi_2535_ = type_18();
                                                                         } else {
-                                                                            phi_2264_ = type_18();
+                                                                            let _e1631 = vec3<f32>(_e1467[0][0], _e1467[0][1], _e1467[0][2]);
+                                                                            let _e1632 = vec3<f32>(_e1467[1][0], _e1467[1][1], _e1467[1][2]);
+                                                                            let _e1633 = vec3<f32>(_e1467[2][0], _e1467[2][1], _e1467[2][2]);
+                                                                            let _e1634 = (_e1467[1][0] - _e1467[0][0]);
+                                                                            let _e1635 = (_e1467[1][1] - _e1467[0][1]);
+                                                                            let _e1636 = (_e1467[1][2] - _e1467[0][2]);
+                                                                            let _e1637 = vec3<f32>(_e1634, _e1635, _e1636);
+                                                                            let _e1638 = (_e1467[2][0] - _e1467[1][0]);
+                                                                            let _e1639 = (_e1467[2][1] - _e1467[1][1]);
+                                                                            let _e1640 = (_e1467[2][2] - _e1467[1][2]);
+                                                                            let _e1641 = vec3<f32>(_e1638, _e1639, _e1640);
+                                                                            let _e1642 = (_e1467[0][0] - _e1467[2][0]);
+                                                                            let _e1643 = (_e1467[0][1] - _e1467[2][1]);
+                                                                            let _e1644 = (_e1467[0][2] - _e1467[2][2]);
+                                                                            let _e1645 = vec3<f32>(_e1642, _e1643, _e1644);
+                                                                            let _e1648 = bitcast<f32>((bitcast<u32>(_e1634) & 2147483647u));
+                                                                            let _e1651 = bitcast<f32>((bitcast<u32>(_e1635) & 2147483647u));
+                                                                            let _e1653 = select(_e1651, _e1648, (_e1648 > _e1651));
+                                                                            let _e1656 = bitcast<f32>((bitcast<u32>(_e1636) & 2147483647u));
+                                                                            let _e1658 = select(_e1656, _e1653, (_e1653 > _e1656));
+                                                                            let _e1661 = bitcast<f32>((bitcast<u32>(_e1638) & 2147483647u));
+                                                                            let _e1664 = bitcast<f32>((bitcast<u32>(_e1639) & 2147483647u));
+                                                                            let _e1666 = select(_e1664, _e1661, (_e1661 > _e1664));
+                                                                            let _e1669 = bitcast<f32>((bitcast<u32>(_e1640) & 2147483647u));
+                                                                            let _e1671 = select(_e1669, _e1666, (_e1666 > _e1669));
+                                                                            let _e1674 = bitcast<f32>((bitcast<u32>(_e1642) & 2147483647u));
+                                                                            let _e1677 = bitcast<f32>((bitcast<u32>(_e1643) & 2147483647u));
+                                                                            let _e1679 = select(_e1677, _e1674, (_e1674 > _e1677));
+                                                                            let _e1682 = bitcast<f32>((bitcast<u32>(_e1644) & 2147483647u));
+                                                                            let _e1684 = select(_e1682, _e1679, (_e1679 > _e1682));
+                                                                            let _e1686 = select(_e1671, _e1658, (_e1658 > _e1671));
+                                                                            let _e1688 = select(_e1684, _e1686, (_e1686 > _e1684));
+                                                                            if (_e1658 == _e1688) {
+                                                                                phi_2265_ = _e1495;
+                                                                                phi_2266_ = _e1492;
+                                                                                phi_2267_ = _e1482;
+                                                                                phi_2268_ = _e1479;
+                                                                                phi_2269_ = _e1631;
+                                                                                phi_2270_ = _e1645;
+                                                                                phi_2271_ = _e1641;
+                                                                                phi_2272_ = _e1637;
+                                                                            } else {
+                                                                                let _e1690 = (_e1671 == _e1688);
+                                                                                let _e1695 = vec3(_e1690);
+                                                                                phi_2265_ = select(_e1482, _e1508, _e1690);
+                                                                                phi_2266_ = select(_e1479, _e1505, _e1690);
+                                                                                phi_2267_ = select(_e1508, _e1495, _e1690);
+                                                                                phi_2268_ = select(_e1505, _e1492, _e1690);
+                                                                                phi_2269_ = select(_e1633, _e1632, _e1695);
+                                                                                phi_2270_ = select(_e1641, _e1637, _e1695);
+                                                                                phi_2271_ = select(_e1637, _e1645, _e1695);
+                                                                                phi_2272_ = select(_e1645, _e1641, _e1695);
+                                                                            }
+                                                                            let _e1701 = phi_2265_;
+                                                                            let _e1703 = phi_2266_;
+                                                                            let _e1705 = phi_2267_;
+                                                                            let _e1707 = phi_2268_;
+                                                                            let _e1709 = phi_2269_;
+                                                                            let _e1711 = phi_2270_;
+                                                                            let _e1713 = phi_2271_;
+                                                                            let _e1715 = phi_2272_;
+                                                                            let _e1722 = ((_e1713.y * _e1711.z) - (_e1711.y * _e1713.z));
+                                                                            let _e1727 = ((_e1713.z * _e1711.x) - (_e1711.z * _e1713.x));
+                                                                            let _e1730 = ((_e1713.x * _e1711.y) - (_e1711.x * _e1713.y));
+                                                                            if (_e1530 >= _e1534) {
+                                                                                phi_2303_ = select(true, false, (_e1530 >= _e1538));
+                                                                            } else {
+                                                                                phi_2303_ = true;
+                                                                            }
+                                                                            let _e1735 = phi_2303_;
+                                                                            if _e1735 {
+                                                                                phi_2312_ = select(_e1633, _e1632, vec3((_e1534 >= _e1538)));
+                                                                            } else {
+                                                                                phi_2312_ = _e1631;
+                                                                            }
+                                                                            let _e1740 = phi_2312_;
+                                                                            let _e1745 = (((_e1722 * _e328) + (_e1727 * _e364)) + (_e1730 * _e400));
+                                                                            let _e1756 = (((_e1722 * (_e1740.x - _e303)) + (_e1727 * (_e1740.y - _e340))) + (_e1730 * (_e1740.z - _e376)));
+                                                                            let _e1758 = (_e1703 - _e1707);
+                                                                            let _e1759 = (_e1701 - _e1705);
+                                                                            let _e1767 = (-(((_e1707 * _e1758) + (_e1705 * _e1759))) / ((_e1758 * _e1758) + (_e1759 * _e1759)));
+                                                                            let _e1769 = select(1f, _e1767, (_e1767 < 1f));
+                                                                            let _e1771 = select(0f, _e1769, (_e1769 > 0f));
+                                                                            let _e1784 = ((_e1709.x + (_e1715.x * _e1771)) - _e303);
+                                                                            let _e1785 = ((_e1709.y + (_e1715.y * _e1771)) - _e340);
+                                                                            let _e1786 = ((_e1709.z + (_e1715.z * _e1771)) - _e376);
+                                                                            let _e1787 = (_e1786 / _e400);
+                                                                            let _e1799 = bitcast<f32>((bitcast<u32>(_e1784) & 2147483647u));
+                                                                            let _e1802 = bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u));
+                                                                            let _e1804 = select(_e1802, _e1799, (_e1799 > _e1802));
+                                                                            let _e1807 = bitcast<f32>((bitcast<u32>(_e1786) & 2147483647u));
+                                                                            let _e1809 = select(_e1807, _e1804, (_e1804 > _e1807));
+                                                                            let _e1815 = bitcast<f32>((bitcast<u32>(_e1722) & 2147483647u));
+                                                                            let _e1818 = bitcast<f32>((bitcast<u32>(_e1727) & 2147483647u));
+                                                                            let _e1820 = select(_e1818, _e1815, (_e1815 > _e1818));
+                                                                            let _e1823 = bitcast<f32>((bitcast<u32>(_e1730) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1722 * _e1784) + (_e1727 * _e1785)) + (_e1730 * _e1786)) - _e1756)) & 2147483647u)) <= ((0.0000009536743f * select(_e1688, _e1809, (_e1809 > _e1688))) * select(_e1823, _e1820, (_e1820 > _e1823)))) {
+                                                                                let _e1833 = bitcast<f32>((bitcast<u32>(_e1713.x) & 2147483647u));
+                                                                                let _e1836 = bitcast<f32>((bitcast<u32>(_e1713.y) & 2147483647u));
+                                                                                let _e1838 = select(_e1836, _e1833, (_e1833 > _e1836));
+                                                                                let _e1841 = bitcast<f32>((bitcast<u32>(_e1713.z) & 2147483647u));
+                                                                                let _e1847 = bitcast<f32>((bitcast<u32>(_e1711.x) & 2147483647u));
+                                                                                let _e1850 = bitcast<f32>((bitcast<u32>(_e1711.y) & 2147483647u));
+                                                                                let _e1852 = select(_e1850, _e1847, (_e1847 > _e1850));
+                                                                                let _e1855 = bitcast<f32>((bitcast<u32>(_e1711.z) & 2147483647u));
+                                                                                phi_2479_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1745) & 2147483647u)) > ((0.0000038146973f * select(_e1841, _e1838, (_e1838 > _e1841))) * select(_e1855, _e1852, (_e1852 > _e1855)))));
+                                                                            } else {
+                                                                                phi_2479_ = true;
+                                                                            }
+                                                                            let _e1862 = phi_2479_;
+                                                                            if _e1862 {
+                                                                                let _e1873 = ((((_e1722 * (_e1784 - (_e328 * _e1787))) + (_e1727 * (_e1785 - (_e364 * _e1787)))) + (_e1730 * (_e1786 - _e1786))) / _e1745);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1873) & 2147483647u)) <= _e1688) {
+                                                                                    phi_2503_ = (_e1787 + _e1873);
+                                                                                } else {
+                                                                                    phi_2503_ = _e1787;
+                                                                                }
+                                                                                let _e1880 = phi_2503_;
+                                                                                phi_2504_ = _e1880;
+                                                                            } else {
+                                                                                phi_2504_ = (_e1756 / _e1745);
+                                                                            }
+                                                                            let _e1882 = phi_2504_;
+                                                                            let _e1884 = select(_e1621, _e1882, (_e1882 < _e1621));
+                                                                            let _e1886 = select(_e1613, _e1884, (_e1884 > _e1613));
+                                                                            if (_e1886 >= _e449) {
+                                                                                let _e1888 = (_e1886 <= _e1032.member.member_1);
+                                                                                if _e1888 {
+                                                                                    let _e1889 = (1f / _e1540);
+                                                                                    phi_2527_ = type_18(_e1886, (_e1534 * _e1889), (_e1538 * _e1889), _e1098);
+                                                                                } else {
+                                                                                    phi_2527_ = type_18();
+                                                                                }
+                                                                                let _e1894 = phi_2527_;
+                                                                                phi_2529_ = _e1894;
+                                                                                phi_2530_ = select(true, false, _e1888);
+                                                                            } else {
+                                                                                phi_2529_ = type_18();
+                                                                                phi_2530_ = true;
+                                                                            }
+                                                                            let _e1897 = phi_2529_;
+                                                                            let _e1899 = phi_2530_;
+                                                                            if _e1899 {
+                                                                                phi_2534_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2534_ = _e1897;
+                                                                            }
+                                                                            let _e1901 = phi_2534_;
+                                                                            phi_2535_ = _e1901;
                                                                         }
-                                                                        let _e1726 = phi_2264_;
-                                                                        phi_2266_ = _e1726;
-                                                                        phi_2267_ = select(true, false, _e1720);
-                                                                    } else {
-                                                                        phi_2266_ = type_18();
-                                                                        phi_2267_ = true;
+                                                                        let _e1903 = phi_2535_;
+                                                                        phi_2536_ = _e1903;
+                                                                        phi_2537_ = _e1630;
                                                                     }
-                                                                    let _e1729 = phi_2266_;
-                                                                    let _e1731 = phi_2267_;
-                                                                    if _e1731 {
-                                                                        phi_2271_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_2271_ = _e1729;
-                                                                    }
-                                                                    let _e1733 = phi_2271_;
-                                                                    phi_2272_ = _e1733;
+                                                                    let _e1905 = phi_2536_;
+                                                                    let _e1907 = phi_2537_;
+                                                                    phi_2541_ = _e1905;
+                                                                    phi_2542_ = _e1907;
                                                                 }
-                                                                let _e1735 = phi_2272_;
-                                                                phi_2273_ = _e1735;
-                                                                phi_2274_ = _e1605;
+                                                                let _e1909 = phi_2541_;
+                                                                let _e1911 = phi_2542_;
+                                                                phi_2543_ = _e1909;
+                                                                phi_2544_ = _e1565;
+                                                                phi_2545_ = _e1911;
                                                             }
-                                                            let _e1737 = phi_2273_;
-                                                            let _e1739 = phi_2274_;
-                                                            phi_2278_ = _e1737;
-                                                            phi_2279_ = _e1739;
+                                                            let _e1913 = phi_2543_;
+                                                            let _e1915 = phi_2544_;
+                                                            let _e1917 = phi_2545_;
+                                                            phi_2546_ = _e1913;
+                                                            phi_2547_ = _e1915;
+                                                            phi_2548_ = _e1917;
                                                         }
-                                                        let _e1741 = phi_2278_;
-                                                        let _e1743 = phi_2279_;
-                                                        phi_2283_ = _e1741;
-                                                        phi_2284_ = _e1743;
+                                                        let _e1919 = phi_2546_;
+                                                        let _e1921 = phi_2547_;
+                                                        let _e1923 = phi_2548_;
+                                                        phi_2556_ = _e1919;
+                                                        phi_2557_ = select(_e1923, true, _e1921);
                                                     } else {
-                                                        phi_2283_ = type_18();
-                                                        phi_2284_ = true;
+                                                        phi_2556_ = type_18();
+                                                        phi_2557_ = true;
                                                     }
-                                                    let _e1745 = phi_2283_;
-                                                    let _e1747 = phi_2284_;
-                                                    if _e1747 {
-                                                        phi_2288_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1926 = phi_2556_;
+                                                    let _e1928 = phi_2557_;
+                                                    if _e1928 {
+                                                        phi_2561_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2288_ = _e1745;
+                                                        phi_2561_ = _e1926;
                                                     }
-                                                    let _e1749 = phi_2288_;
-                                                    if (_e1749.member_3 != 4294967295u) {
-                                                        if (_e1097 != _e454) {
-                                                            if (_e1749.member < _e1031.member.member.member) {
-                                                                phi_2314_ = true;
+                                                    let _e1930 = phi_2561_;
+                                                    if (_e1930.member_3 != 4294967295u) {
+                                                        if (_e1098 != _e455) {
+                                                            if (_e1930.member < _e1032.member.member.member) {
+                                                                phi_2587_ = true;
                                                             } else {
-                                                                if (_e1749.member == _e1031.member.member.member) {
-                                                                    phi_2313_ = (_e1749.member_3 < _e1031.member.member.member_3);
+                                                                if (_e1930.member == _e1032.member.member.member) {
+                                                                    phi_2586_ = (_e1930.member_3 < _e1032.member.member.member_3);
                                                                 } else {
-                                                                    phi_2313_ = false;
+                                                                    phi_2586_ = false;
                                                                 }
-                                                                let _e1764 = phi_2313_;
-                                                                phi_2314_ = _e1764;
+                                                                let _e1945 = phi_2586_;
+                                                                phi_2587_ = _e1945;
                                                             }
-                                                            let _e1766 = phi_2314_;
-                                                            if _e1766 {
-                                                                phi_2321_ = type_38(type_34(_e1749, _e1749.member), _e1058.member_1, _e1058.member_2);
+                                                            let _e1947 = phi_2587_;
+                                                            if _e1947 {
+                                                                phi_2594_ = type_38(type_34(_e1930, _e1930.member), _e1059.member_1, _e1059.member_2);
                                                             } else {
-                                                                phi_2321_ = _e1058;
+                                                                phi_2594_ = _e1059;
                                                             }
-                                                            let _e1773 = phi_2321_;
-                                                            phi_2322_ = _e1773;
+                                                            let _e1954 = phi_2594_;
+                                                            phi_2595_ = _e1954;
                                                         } else {
-                                                            phi_2322_ = _e1058;
+                                                            phi_2595_ = _e1059;
                                                         }
-                                                        let _e1775 = phi_2322_;
-                                                        phi_2323_ = _e1775;
+                                                        let _e1956 = phi_2595_;
+                                                        phi_2596_ = _e1956;
                                                     } else {
-                                                        phi_2323_ = _e1058;
+                                                        phi_2596_ = _e1059;
                                                     }
-                                                    let _e1777 = phi_2323_;
-                                                    phi_991_ = _e1777;
+                                                    let _e1958 = phi_2596_;
+                                                    phi_997_ = _e1958;
                                                 } else {
-                                                    phi_991_ = type_38();
+                                                    phi_997_ = type_38();
                                                 }
-                                                let _e1779 = phi_991_;
+                                                let _e1960 = phi_997_;
                                                 continue;
                                                 continuing {
-                                                    phi_990_ = _e1779;
-                                                    phi_993_ = _e1046;
-                                                    phi_3943_ = _e495;
-                                                    break if !(_e1052);
+                                                    phi_996_ = _e1960;
+                                                    phi_999_ = _e1047;
+                                                    phi_4216_ = _e496;
+                                                    break if !(_e1053);
                                                 }
                                             }
-                                            let _e1782 = phi_3943_;
-                                            phi_4104_ = _e1782;
-                                            if _e1782 {
+                                            let _e1963 = phi_4216_;
+                                            phi_4405_ = _e1963;
+                                            if _e1963 {
                                                 break;
                                             }
-                                            phi_4108_ = _e1782;
-                                            let _e2033 = local_12;
-                                            phi_3566_ = _e2033;
-                                            phi_3567_ = _e537;
-                                            phi_3568_ = false;
-                                            phi_3569_ = _e541;
+                                            phi_4409_ = _e1963;
+                                            let _e2231 = local_12;
+                                            phi_3839_ = _e2231;
+                                            phi_3840_ = _e538;
+                                            phi_3841_ = false;
+                                            phi_3842_ = _e542;
                                         } else {
-                                            if (_e537.member_1 >= _e89) {
-                                                phi_3122_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e538.member_1 >= _e90) {
+                                                phi_3395_ = type_50(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_49(type_30(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e537.member_1 < _e89) {
+                                                if (_e538.member_1 < _e90) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e559 = (_e270 * 2u);
-                                                let _e561 = ((1u + _e559) % 7u);
-                                                if (_e561 < 7u) {
+                                                let _e560 = (_e271 * 2u);
+                                                let _e562 = ((1u + _e560) % 7u);
+                                                if (_e562 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e566 = global_6.member[_e537.member_1][_e561];
-                                                let _e568 = ((_e559 + 2u) % 7u);
-                                                if (_e568 < 7u) {
+                                                let _e567 = global_6.member[_e538.member_1][_e562];
+                                                let _e569 = ((_e560 + 2u) % 7u);
+                                                if (_e569 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e573 = global_6.member[_e537.member_1][_e568];
-                                                let _e574 = (_e269 * 2u);
-                                                let _e576 = ((1u + _e574) % 7u);
-                                                if (_e576 < 7u) {
+                                                let _e574 = global_6.member[_e538.member_1][_e569];
+                                                let _e575 = (_e270 * 2u);
+                                                let _e577 = ((1u + _e575) % 7u);
+                                                if (_e577 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e581 = global_6.member[_e537.member_1][_e576];
-                                                let _e583 = ((_e574 + 2u) % 7u);
-                                                if (_e583 < 7u) {
+                                                let _e582 = global_6.member[_e538.member_1][_e577];
+                                                let _e584 = ((_e575 + 2u) % 7u);
+                                                if (_e584 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e588 = global_6.member[_e537.member_1][_e583];
-                                                let _e589 = (_e271 * 2u);
-                                                let _e591 = ((1u + _e589) % 7u);
-                                                if (_e591 < 7u) {
+                                                let _e589 = global_6.member[_e538.member_1][_e584];
+                                                let _e590 = (_e272 * 2u);
+                                                let _e592 = ((1u + _e590) % 7u);
+                                                if (_e592 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e596 = global_6.member[_e537.member_1][_e591];
-                                                let _e598 = ((_e589 + 2u) % 7u);
-                                                if (_e598 < 7u) {
+                                                let _e597 = global_6.member[_e538.member_1][_e592];
+                                                let _e599 = ((_e590 + 2u) % 7u);
+                                                if (_e599 < 7u) {
                                                 } else {
-                                                    phi_4104_ = true;
+                                                    phi_4405_ = true;
                                                     break;
                                                 }
-                                                let _e603 = global_6.member[_e537.member_1][_e598];
-                                                let _e626 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.x - _e537.member.member.x)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e627 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.y - _e537.member.member.y)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e628 = (bitcast<f32>((bitcast<u32>((_e537.member.member_1.z - _e537.member.member.z)) & 2139095040u)) * 0.0000009536743f);
-                                                let _e630 = select(_e144, _e626, (_e626 > _e144));
-                                                let _e632 = select(_e144, _e627, (_e627 > _e144));
-                                                let _e634 = select(_e144, _e628, (_e628 > _e144));
-                                                let _e659 = bitcast<u32>((f32(bitcast<i32>((_e566 & 2097151u))) * _e630));
-                                                let _e664 = (bitcast<i32>((_e566 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e667 = bitcast<f32>((_e659 & bitcast<u32>(_e664)));
-                                                let _e668 = bitcast<u32>((f32(bitcast<i32>((_e581 & 2097151u))) * _e632));
-                                                let _e673 = (bitcast<i32>((_e581 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e676 = bitcast<f32>((_e668 & bitcast<u32>(_e673)));
-                                                let _e677 = bitcast<u32>((f32(bitcast<i32>((_e596 & 2097151u))) * _e634));
-                                                let _e682 = (bitcast<i32>((_e596 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e685 = bitcast<f32>((_e677 & bitcast<u32>(_e682)));
-                                                let _e689 = bitcast<f32>((_e659 & bitcast<u32>(~(_e664))));
-                                                let _e693 = bitcast<f32>((_e668 & bitcast<u32>(~(_e673))));
-                                                let _e697 = bitcast<f32>((_e677 & bitcast<u32>(~(_e682))));
-                                                let _e698 = bitcast<u32>((f32(bitcast<i32>((_e573 & 2097151u))) * _e630));
-                                                let _e703 = (bitcast<i32>((_e573 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e706 = bitcast<f32>((_e698 & bitcast<u32>(_e703)));
-                                                let _e707 = bitcast<u32>((f32(bitcast<i32>((_e588 & 2097151u))) * _e632));
-                                                let _e712 = (bitcast<i32>((_e588 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e715 = bitcast<f32>((_e707 & bitcast<u32>(_e712)));
-                                                let _e716 = bitcast<u32>((f32(bitcast<i32>((_e603 & 2097151u))) * _e634));
-                                                let _e721 = (bitcast<i32>((_e603 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
-                                                let _e724 = bitcast<f32>((_e716 & bitcast<u32>(_e721)));
-                                                let _e728 = bitcast<f32>((_e698 & bitcast<u32>(~(_e703))));
-                                                let _e732 = bitcast<f32>((_e707 & bitcast<u32>(~(_e712))));
-                                                let _e736 = bitcast<f32>((_e716 & bitcast<u32>(~(_e721))));
-                                                let _e737 = (_e537.member.member.x + _e667);
-                                                let _e738 = (_e537.member.member.y + _e676);
-                                                let _e739 = (_e537.member.member.z + _e685);
-                                                let _e742 = (_e537.member.member_1.x - _e706);
-                                                let _e743 = (_e537.member.member_1.y - _e715);
-                                                let _e744 = (_e537.member.member_1.z - _e724);
-                                                let _e763 = (_e742 - _e737);
+                                                let _e604 = global_6.member[_e538.member_1][_e599];
+                                                let _e627 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.x - _e538.member.member.x)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e628 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.y - _e538.member.member.y)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e629 = (bitcast<f32>((bitcast<u32>((_e538.member.member_1.z - _e538.member.member.z)) & 2139095040u)) * 0.0000009536743f);
+                                                let _e631 = select(_e145, _e627, (_e627 > _e145));
+                                                let _e633 = select(_e145, _e628, (_e628 > _e145));
+                                                let _e635 = select(_e145, _e629, (_e629 > _e145));
+                                                let _e660 = bitcast<u32>((f32(bitcast<i32>((_e567 & 2097151u))) * _e631));
+                                                let _e665 = (bitcast<i32>((_e567 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e668 = bitcast<f32>((_e660 & bitcast<u32>(_e665)));
+                                                let _e669 = bitcast<u32>((f32(bitcast<i32>((_e582 & 2097151u))) * _e633));
+                                                let _e674 = (bitcast<i32>((_e582 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e677 = bitcast<f32>((_e669 & bitcast<u32>(_e674)));
+                                                let _e678 = bitcast<u32>((f32(bitcast<i32>((_e597 & 2097151u))) * _e635));
+                                                let _e683 = (bitcast<i32>((_e597 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e686 = bitcast<f32>((_e678 & bitcast<u32>(_e683)));
+                                                let _e690 = bitcast<f32>((_e660 & bitcast<u32>(~(_e665))));
+                                                let _e694 = bitcast<f32>((_e669 & bitcast<u32>(~(_e674))));
+                                                let _e698 = bitcast<f32>((_e678 & bitcast<u32>(~(_e683))));
+                                                let _e699 = bitcast<u32>((f32(bitcast<i32>((_e574 & 2097151u))) * _e631));
+                                                let _e704 = (bitcast<i32>((_e574 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e707 = bitcast<f32>((_e699 & bitcast<u32>(_e704)));
+                                                let _e708 = bitcast<u32>((f32(bitcast<i32>((_e589 & 2097151u))) * _e633));
+                                                let _e713 = (bitcast<i32>((_e589 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e716 = bitcast<f32>((_e708 & bitcast<u32>(_e713)));
+                                                let _e717 = bitcast<u32>((f32(bitcast<i32>((_e604 & 2097151u))) * _e635));
+                                                let _e722 = (bitcast<i32>((_e604 << bitcast<u32>(10u))) >> bitcast<u32>(31i));
+                                                let _e725 = bitcast<f32>((_e717 & bitcast<u32>(_e722)));
+                                                let _e729 = bitcast<f32>((_e699 & bitcast<u32>(~(_e704))));
+                                                let _e733 = bitcast<f32>((_e708 & bitcast<u32>(~(_e713))));
+                                                let _e737 = bitcast<f32>((_e717 & bitcast<u32>(~(_e722))));
+                                                let _e738 = (_e538.member.member.x + _e668);
+                                                let _e739 = (_e538.member.member.y + _e677);
+                                                let _e740 = (_e538.member.member.z + _e686);
+                                                let _e743 = (_e538.member.member_1.x - _e707);
+                                                let _e744 = (_e538.member.member_1.y - _e716);
+                                                let _e745 = (_e538.member.member_1.z - _e725);
                                                 let _e764 = (_e743 - _e738);
                                                 let _e765 = (_e744 - _e739);
-                                                let _e767 = select(_e764, _e763, (_e763 > _e764));
-                                                let _e769 = select(_e765, _e767, (_e767 > _e765));
-                                                if (_e769 < (1024f * _e144)) {
-                                                    phi_2823_ = 0u;
+                                                let _e766 = (_e745 - _e740);
+                                                let _e768 = select(_e765, _e764, (_e764 > _e765));
+                                                let _e770 = select(_e766, _e768, (_e768 > _e766));
+                                                if (_e770 < (1024f * _e145)) {
+                                                    phi_3096_ = 0u;
                                                 } else {
-                                                    phi_2823_ = select(2u, 1u, (_e769 < (2097152f * _e144)));
+                                                    phi_3096_ = select(2u, 1u, (_e770 < (2097152f * _e145)));
                                                 }
-                                                let _e776 = phi_2823_;
-                                                switch bitcast<i32>(_e776) {
+                                                let _e777 = phi_3096_;
+                                                switch bitcast<i32>(_e777) {
                                                     case 0: {
-                                                        phi_2829_ = 1u;
+                                                        phi_3102_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_2829_ = 2u;
+                                                        phi_3102_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_2829_ = 3u;
+                                                        phi_3102_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_2829_ = u32();
+                                                        phi_3102_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e779 = phi_2829_;
-                                                let _e785 = global_6.member[_e537.member_1][0u];
-                                                let _e789 = global_6.member[_e537.member_1][2u];
-                                                let _e793 = global_6.member[_e537.member_1][4u];
-                                                let _e797 = global_6.member[_e537.member_1][6u];
-                                                let _e809 = (((_e789 >> bitcast<u32>(22i)) | ((_e793 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e797 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e810 = (_e785 & 268435455u);
-                                                let _e811 = (_e809 & 268435455u);
-                                                let _e814 = ((_e785 >> bitcast<u32>(28u)) & 7u);
-                                                let _e822 = ((_e785 >> bitcast<u32>(31i)) | (((_e809 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e823 = (_e814 != 0u);
-                                                if (_e814 == 0u) {
-                                                    phi_3084_ = _e810;
+                                                let _e780 = phi_3102_;
+                                                let _e786 = global_6.member[_e538.member_1][0u];
+                                                let _e790 = global_6.member[_e538.member_1][2u];
+                                                let _e794 = global_6.member[_e538.member_1][4u];
+                                                let _e798 = global_6.member[_e538.member_1][6u];
+                                                let _e810 = (((_e790 >> bitcast<u32>(22i)) | ((_e794 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e798 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e811 = (_e786 & 268435455u);
+                                                let _e812 = (_e810 & 268435455u);
+                                                let _e815 = ((_e786 >> bitcast<u32>(28u)) & 7u);
+                                                let _e823 = ((_e786 >> bitcast<u32>(31i)) | (((_e810 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e824 = (_e815 != 0u);
+                                                if (_e815 == 0u) {
+                                                    phi_3357_ = _e811;
                                                 } else {
-                                                    if (_e814 == 7u) {
-                                                        phi_3083_ = 2147483648u;
+                                                    if (_e815 == 7u) {
+                                                        phi_3356_ = 2147483648u;
                                                     } else {
-                                                        phi_3083_ = ((2147483648u | (_e814 << bitcast<u32>(28u))) | (_e811 & 268435455u));
+                                                        phi_3356_ = ((2147483648u | (_e815 << bitcast<u32>(28u))) | (_e812 & 268435455u));
                                                     }
-                                                    let _e832 = phi_3083_;
-                                                    phi_3084_ = _e832;
+                                                    let _e833 = phi_3356_;
+                                                    phi_3357_ = _e833;
                                                 }
-                                                let _e834 = phi_3084_;
-                                                if _e823 {
-                                                    let _e835 = (_e814 != 7u);
-                                                    if _e835 {
-                                                        phi_3094_ = (_e811 + (_e814 * ((3u * _e779) + 1u)));
+                                                let _e835 = phi_3357_;
+                                                if _e824 {
+                                                    let _e836 = (_e815 != 7u);
+                                                    if _e836 {
+                                                        phi_3367_ = (_e812 + (_e815 * ((3u * _e780) + 1u)));
                                                     } else {
-                                                        phi_3094_ = u32();
+                                                        phi_3367_ = u32();
                                                     }
-                                                    let _e839 = phi_3094_;
-                                                    phi_3096_ = _e839;
-                                                    phi_3097_ = select(true, false, _e835);
+                                                    let _e840 = phi_3367_;
+                                                    phi_3369_ = _e840;
+                                                    phi_3370_ = select(true, false, _e836);
                                                 } else {
-                                                    phi_3096_ = u32();
-                                                    phi_3097_ = true;
+                                                    phi_3369_ = u32();
+                                                    phi_3370_ = true;
                                                 }
-                                                let _e842 = phi_3096_;
-                                                let _e844 = phi_3097_;
-                                                if (_e822 == 0u) {
-                                                    phi_3118_ = (_e810 + select(0u, 1u, !(_e823)));
+                                                let _e843 = phi_3369_;
+                                                let _e845 = phi_3370_;
+                                                if (_e823 == 0u) {
+                                                    phi_3391_ = (_e811 + select(0u, 1u, !(_e824)));
                                                 } else {
-                                                    if (_e822 == 7u) {
-                                                        phi_3117_ = 2147483648u;
+                                                    if (_e823 == 7u) {
+                                                        phi_3390_ = 2147483648u;
                                                     } else {
-                                                        phi_3117_ = ((2147483648u | (_e822 << bitcast<u32>(28u))) | (select(_e842, _e811, _e844) & 268435455u));
+                                                        phi_3390_ = ((2147483648u | (_e823 << bitcast<u32>(28u))) | (select(_e843, _e812, _e845) & 268435455u));
                                                     }
-                                                    let _e857 = phi_3117_;
-                                                    phi_3118_ = _e857;
+                                                    let _e858 = phi_3390_;
+                                                    phi_3391_ = _e858;
                                                 }
-                                                let _e859 = phi_3118_;
-                                                phi_3122_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e737, (_e537.member.member.x + _e689), _e742, (_e537.member.member_1.x - _e728)), vec4<f32>(_e738, (_e537.member.member.y + _e693), _e743, (_e537.member.member_1.y - _e732)), vec4<f32>(_e739, (_e537.member.member.z + _e697), _e744, (_e537.member.member_1.z - _e736))), type_49(type_30((_e537.member.member + vec4<f32>(_e667, _e676, _e685, 0f)), (_e537.member.member_1 - vec4<f32>(_e706, _e715, _e724, 0f))), _e834), type_49(type_30((_e537.member.member + vec4<f32>(_e689, _e693, _e697, 0f)), (_e537.member.member_1 - vec4<f32>(_e728, _e732, _e736, 0f))), _e859));
+                                                let _e860 = phi_3391_;
+                                                phi_3395_ = type_50(array<vec4<f32>, 3>(vec4<f32>(_e738, (_e538.member.member.x + _e690), _e743, (_e538.member.member_1.x - _e729)), vec4<f32>(_e739, (_e538.member.member.y + _e694), _e744, (_e538.member.member_1.y - _e733)), vec4<f32>(_e740, (_e538.member.member.z + _e698), _e745, (_e538.member.member_1.z - _e737))), type_49(type_30((_e538.member.member + vec4<f32>(_e668, _e677, _e686, 0f)), (_e538.member.member_1 - vec4<f32>(_e707, _e716, _e725, 0f))), _e835), type_49(type_30((_e538.member.member + vec4<f32>(_e690, _e694, _e698, 0f)), (_e538.member.member_1 - vec4<f32>(_e729, _e733, _e737, 0f))), _e860));
                                             }
-                                            let _e864 = phi_3122_;
-                                            let _e877 = ((_e864.member[0].x - _e325) * _e330);
-                                            let _e878 = ((_e864.member[0].y - _e325) * _e330);
-                                            let _e879 = ((_e864.member[0].z - _e326) * _e330);
-                                            let _e880 = ((_e864.member[0].w - _e326) * _e330);
-                                            let _e890 = ((_e864.member[1].x - _e361) * _e366);
-                                            let _e891 = ((_e864.member[1].y - _e361) * _e366);
-                                            let _e892 = ((_e864.member[1].z - _e362) * _e366);
-                                            let _e893 = ((_e864.member[1].w - _e362) * _e366);
-                                            let _e903 = ((_e864.member[2].x - _e397) * _e402);
-                                            let _e904 = ((_e864.member[2].y - _e397) * _e402);
-                                            let _e905 = ((_e864.member[2].z - _e398) * _e402);
-                                            let _e906 = ((_e864.member[2].w - _e398) * _e402);
-                                            let _e908 = select(_e905, _e903, (_e903 < _e905));
-                                            let _e910 = select(_e906, _e904, (_e904 < _e906));
-                                            let _e912 = select(_e905, _e903, (_e903 > _e905));
-                                            let _e914 = select(_e906, _e904, (_e904 > _e906));
-                                            let _e916 = select(_e879, _e877, (_e877 < _e879));
-                                            let _e918 = select(_e880, _e878, (_e878 < _e880));
-                                            let _e920 = select(_e892, _e890, (_e890 < _e892));
-                                            let _e922 = select(_e893, _e891, (_e891 < _e893));
-                                            let _e924 = select(_e920, _e916, (_e916 > _e920));
-                                            let _e926 = select(_e922, _e918, (_e918 > _e922));
-                                            let _e928 = select(_e908, _e924, (_e924 > _e908));
-                                            let _e930 = select(_e910, _e926, (_e926 > _e910));
-                                            let _e932 = select(_e879, _e877, (_e877 > _e879));
-                                            let _e934 = select(_e880, _e878, (_e878 > _e880));
-                                            let _e936 = select(_e892, _e890, (_e890 > _e892));
-                                            let _e938 = select(_e893, _e891, (_e891 > _e893));
-                                            let _e940 = select(_e936, _e932, (_e932 < _e936));
-                                            let _e942 = select(_e938, _e934, (_e934 < _e938));
-                                            let _e947 = -(_e908);
-                                            let _e948 = -(_e910);
-                                            let _e955 = (select(_e912, _e940, (_e940 < _e912)) + (select(_e947, _e912, (_e912 > _e947)) * 0.0000019073523f));
-                                            let _e956 = (select(_e914, _e942, (_e942 < _e914)) + (select(_e948, _e914, (_e914 > _e948)) * 0.0000019073523f));
-                                            let _e958 = select(_e448, _e928, (_e928 > _e448));
-                                            let _e960 = select(_e448, _e930, (_e930 > _e448));
-                                            let _e965 = (_e958 <= select(_e497.member.member_1, _e955, (_e955 < _e497.member.member_1)));
-                                            let _e966 = (_e960 <= select(_e497.member.member_1, _e956, (_e956 < _e497.member.member_1)));
-                                            let _e967 = (_e958 <= _e960);
-                                            if _e965 {
+                                            let _e865 = phi_3395_;
+                                            let _e878 = ((_e865.member[0].x - _e326) * _e331);
+                                            let _e879 = ((_e865.member[0].y - _e326) * _e331);
+                                            let _e880 = ((_e865.member[0].z - _e327) * _e331);
+                                            let _e881 = ((_e865.member[0].w - _e327) * _e331);
+                                            let _e891 = ((_e865.member[1].x - _e362) * _e367);
+                                            let _e892 = ((_e865.member[1].y - _e362) * _e367);
+                                            let _e893 = ((_e865.member[1].z - _e363) * _e367);
+                                            let _e894 = ((_e865.member[1].w - _e363) * _e367);
+                                            let _e904 = ((_e865.member[2].x - _e398) * _e403);
+                                            let _e905 = ((_e865.member[2].y - _e398) * _e403);
+                                            let _e906 = ((_e865.member[2].z - _e399) * _e403);
+                                            let _e907 = ((_e865.member[2].w - _e399) * _e403);
+                                            let _e909 = select(_e906, _e904, (_e904 < _e906));
+                                            let _e911 = select(_e907, _e905, (_e905 < _e907));
+                                            let _e913 = select(_e906, _e904, (_e904 > _e906));
+                                            let _e915 = select(_e907, _e905, (_e905 > _e907));
+                                            let _e917 = select(_e880, _e878, (_e878 < _e880));
+                                            let _e919 = select(_e881, _e879, (_e879 < _e881));
+                                            let _e921 = select(_e893, _e891, (_e891 < _e893));
+                                            let _e923 = select(_e894, _e892, (_e892 < _e894));
+                                            let _e925 = select(_e921, _e917, (_e917 > _e921));
+                                            let _e927 = select(_e923, _e919, (_e919 > _e923));
+                                            let _e929 = select(_e909, _e925, (_e925 > _e909));
+                                            let _e931 = select(_e911, _e927, (_e927 > _e911));
+                                            let _e933 = select(_e880, _e878, (_e878 > _e880));
+                                            let _e935 = select(_e881, _e879, (_e879 > _e881));
+                                            let _e937 = select(_e893, _e891, (_e891 > _e893));
+                                            let _e939 = select(_e894, _e892, (_e892 > _e894));
+                                            let _e941 = select(_e937, _e933, (_e933 < _e937));
+                                            let _e943 = select(_e939, _e935, (_e935 < _e939));
+                                            let _e948 = -(_e909);
+                                            let _e949 = -(_e911);
+                                            let _e956 = (select(_e913, _e941, (_e941 < _e913)) + (select(_e948, _e913, (_e913 > _e948)) * 0.0000019073523f));
+                                            let _e957 = (select(_e915, _e943, (_e943 < _e915)) + (select(_e949, _e915, (_e915 > _e949)) * 0.0000019073523f));
+                                            let _e959 = select(_e449, _e929, (_e929 > _e449));
+                                            let _e961 = select(_e449, _e931, (_e931 > _e449));
+                                            let _e966 = (_e959 <= select(_e498.member.member_1, _e956, (_e956 < _e498.member.member_1)));
+                                            let _e967 = (_e961 <= select(_e498.member.member_1, _e957, (_e957 < _e498.member.member_1)));
+                                            let _e968 = (_e959 <= _e961);
+                                            if _e966 {
+                                                if _e967 {
+                                                    if _e968 {
+                                                        phi_3739_ = _e865.member_2;
+                                                    } else {
+                                                        phi_3739_ = _e865.member_1;
+                                                    }
+                                                    let _e972 = phi_3739_;
+                                                    let _e994 = (_e542 % 128u);
+                                                    let _e995 = (_e994 < 128u);
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_8[_e994] = _e972.member_1;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_7[_e994] = _e972.member.member.x;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_6[_e994] = _e972.member.member.y;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_5[_e994] = _e972.member.member.z;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_4[_e994] = _e972.member.member_1.x;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_3[_e994] = _e972.member.member_1.y;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_2[_e994] = _e972.member.member_1.z;
+                                                    if _e995 {
+                                                    } else {
+                                                        phi_4405_ = true;
+                                                        break;
+                                                    }
+                                                    local_9[_e994] = select(_e961, _e959, (_e959 > _e961));
+                                                    if _e968 {
+                                                        phi_3816_ = _e865.member_1;
+                                                    } else {
+                                                        phi_3816_ = _e865.member_2;
+                                                    }
+                                                    let _e1008 = phi_3816_;
+                                                    phi_3817_ = _e1008;
+                                                    phi_3818_ = (_e542 + 1u);
+                                                } else {
+                                                    phi_3817_ = type_49();
+                                                    phi_3818_ = u32();
+                                                }
+                                                let _e1010 = phi_3817_;
+                                                let _e1012 = phi_3818_;
+                                                phi_3820_ = _e1010;
+                                                phi_3821_ = _e1012;
+                                                phi_3822_ = select(true, false, _e967);
+                                            } else {
+                                                phi_3820_ = type_49();
+                                                phi_3821_ = u32();
+                                                phi_3822_ = true;
+                                            }
+                                            let _e1015 = phi_3820_;
+                                            let _e1017 = phi_3821_;
+                                            let _e1019 = phi_3822_;
+                                            if _e1019 {
                                                 if _e966 {
-                                                    if _e967 {
-                                                        phi_3466_ = _e864.member_2;
-                                                    } else {
-                                                        phi_3466_ = _e864.member_1;
-                                                    }
-                                                    let _e971 = phi_3466_;
-                                                    let _e993 = (_e541 % 128u);
-                                                    let _e994 = (_e993 < 128u);
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_8[_e993] = _e971.member_1;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_7[_e993] = _e971.member.member.x;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_6[_e993] = _e971.member.member.y;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_5[_e993] = _e971.member.member.z;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_4[_e993] = _e971.member.member_1.x;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_3[_e993] = _e971.member.member_1.y;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_2[_e993] = _e971.member.member_1.z;
-                                                    if _e994 {
-                                                    } else {
-                                                        phi_4104_ = true;
-                                                        break;
-                                                    }
-                                                    local_9[_e993] = select(_e960, _e958, (_e958 > _e960));
-                                                    if _e967 {
-                                                        phi_3543_ = _e864.member_1;
-                                                    } else {
-                                                        phi_3543_ = _e864.member_2;
-                                                    }
-                                                    let _e1007 = phi_3543_;
-                                                    phi_3544_ = _e1007;
-                                                    phi_3545_ = (_e541 + 1u);
+                                                    phi_3831_ = _e865.member_1;
                                                 } else {
-                                                    phi_3544_ = type_49();
-                                                    phi_3545_ = u32();
+                                                    phi_3831_ = _e865.member_2;
                                                 }
-                                                let _e1009 = phi_3544_;
-                                                let _e1011 = phi_3545_;
-                                                phi_3547_ = _e1009;
-                                                phi_3548_ = _e1011;
-                                                phi_3549_ = select(true, false, _e966);
+                                                let _e1023 = phi_3831_;
+                                                phi_3836_ = _e1023;
+                                                phi_3837_ = select(_e967, true, _e966);
                                             } else {
-                                                phi_3547_ = type_49();
-                                                phi_3548_ = u32();
-                                                phi_3549_ = true;
+                                                phi_3836_ = _e1015;
+                                                phi_3837_ = _e540;
                                             }
-                                            let _e1014 = phi_3547_;
-                                            let _e1016 = phi_3548_;
-                                            let _e1018 = phi_3549_;
-                                            if _e1018 {
-                                                if _e965 {
-                                                    phi_3558_ = _e864.member_1;
-                                                } else {
-                                                    phi_3558_ = _e864.member_2;
-                                                }
-                                                let _e1022 = phi_3558_;
-                                                phi_3563_ = _e1022;
-                                                phi_3564_ = select(_e966, true, _e965);
-                                            } else {
-                                                phi_3563_ = _e1014;
-                                                phi_3564_ = _e539;
-                                            }
-                                            let _e1025 = phi_3563_;
-                                            let _e1027 = phi_3564_;
-                                            phi_4108_ = _e495;
-                                            phi_3566_ = type_38(_e497.member, (_e497.member_1 + 1u), _e497.member_2);
-                                            phi_3567_ = _e1025;
-                                            phi_3568_ = _e1027;
-                                            phi_3569_ = select(_e1016, _e541, _e1018);
+                                            let _e1026 = phi_3836_;
+                                            let _e1028 = phi_3837_;
+                                            phi_4409_ = _e496;
+                                            phi_3839_ = type_38(_e498.member, (_e498.member_1 + 1u), _e498.member_2);
+                                            phi_3840_ = _e1026;
+                                            phi_3841_ = _e1028;
+                                            phi_3842_ = select(_e1017, _e542, _e1019);
                                         }
-                                        let _e1784 = phi_4108_;
-                                        let _e1786 = phi_3566_;
-                                        let _e1788 = phi_3567_;
-                                        let _e1790 = phi_3568_;
-                                        let _e1792 = phi_3569_;
-                                        phi_4107_ = _e1784;
-                                        phi_3570_ = _e1786;
-                                        phi_3571_ = _e1788;
-                                        phi_3572_ = (_e501 - 1u);
-                                        phi_3573_ = _e1790;
-                                        phi_3574_ = _e1792;
+                                        let _e1965 = phi_4409_;
+                                        let _e1967 = phi_3839_;
+                                        let _e1969 = phi_3840_;
+                                        let _e1971 = phi_3841_;
+                                        let _e1973 = phi_3842_;
+                                        phi_4408_ = _e1965;
+                                        phi_3843_ = _e1967;
+                                        phi_3844_ = _e1969;
+                                        phi_3845_ = (_e502 - 1u);
+                                        phi_3846_ = _e1971;
+                                        phi_3847_ = _e1973;
                                     } else {
-                                        phi_4107_ = _e495;
-                                        phi_3570_ = _e497;
-                                        phi_3571_ = _e537;
-                                        phi_3572_ = _e501;
-                                        phi_3573_ = _e539;
-                                        phi_3574_ = _e541;
+                                        phi_4408_ = _e496;
+                                        phi_3843_ = _e498;
+                                        phi_3844_ = _e538;
+                                        phi_3845_ = _e502;
+                                        phi_3846_ = _e540;
+                                        phi_3847_ = _e542;
                                     }
-                                    let _e1794 = phi_4107_;
-                                    let _e1796 = phi_3570_;
-                                    let _e1798 = phi_3571_;
-                                    let _e1800 = phi_3572_;
-                                    let _e1802 = phi_3573_;
-                                    let _e1804 = phi_3574_;
-                                    phi_4106_ = _e1794;
-                                    phi_3575_ = _e1796;
-                                    phi_3576_ = _e1798;
-                                    phi_3577_ = _e1800;
-                                    phi_3578_ = _e1802;
-                                    phi_3579_ = _e1804;
+                                    let _e1975 = phi_4408_;
+                                    let _e1977 = phi_3843_;
+                                    let _e1979 = phi_3844_;
+                                    let _e1981 = phi_3845_;
+                                    let _e1983 = phi_3846_;
+                                    let _e1985 = phi_3847_;
+                                    phi_4407_ = _e1975;
+                                    phi_3848_ = _e1977;
+                                    phi_3849_ = _e1979;
+                                    phi_3850_ = _e1981;
+                                    phi_3851_ = _e1983;
+                                    phi_3852_ = _e1985;
                                 } else {
-                                    phi_4106_ = _e495;
-                                    phi_3575_ = type_38();
-                                    phi_3576_ = type_49();
-                                    phi_3577_ = u32();
-                                    phi_3578_ = bool();
-                                    phi_3579_ = u32();
+                                    phi_4407_ = _e496;
+                                    phi_3848_ = type_38();
+                                    phi_3849_ = type_49();
+                                    phi_3850_ = u32();
+                                    phi_3851_ = bool();
+                                    phi_3852_ = u32();
                                 }
-                                let _e1806 = phi_4106_;
-                                let _e1808 = phi_3575_;
-                                let _e1810 = phi_3576_;
-                                let _e1812 = phi_3577_;
-                                let _e1814 = phi_3578_;
-                                let _e1816 = phi_3579_;
-                                phi_4105_ = _e1806;
-                                phi_864_ = _e1808;
-                                phi_867_ = _e1810;
-                                phi_869_ = _e1812;
-                                phi_871_ = _e1814;
-                                phi_873_ = _e1816;
-                                phi_3580_ = _e509;
+                                let _e1987 = phi_4407_;
+                                let _e1989 = phi_3848_;
+                                let _e1991 = phi_3849_;
+                                let _e1993 = phi_3850_;
+                                let _e1995 = phi_3851_;
+                                let _e1997 = phi_3852_;
+                                phi_4406_ = _e1987;
+                                phi_870_ = _e1989;
+                                phi_873_ = _e1991;
+                                phi_875_ = _e1993;
+                                phi_877_ = _e1995;
+                                phi_879_ = _e1997;
+                                phi_3853_ = _e510;
                             } else {
-                                phi_4105_ = _e495;
-                                phi_864_ = type_38();
-                                phi_867_ = type_49();
-                                phi_869_ = u32();
-                                phi_871_ = bool();
-                                phi_873_ = u32();
-                                phi_3580_ = false;
+                                phi_4406_ = _e496;
+                                phi_870_ = type_38();
+                                phi_873_ = type_49();
+                                phi_875_ = u32();
+                                phi_877_ = bool();
+                                phi_879_ = u32();
+                                phi_3853_ = false;
                             }
-                            let _e1818 = phi_4105_;
-                            let _e1820 = phi_864_;
-                            let _e1822 = phi_867_;
-                            let _e1824 = phi_869_;
-                            let _e1826 = phi_871_;
-                            let _e1828 = phi_873_;
-                            let _e1830 = phi_3580_;
+                            let _e1999 = phi_4406_;
+                            let _e2001 = phi_870_;
+                            let _e2003 = phi_873_;
+                            let _e2005 = phi_875_;
+                            let _e2007 = phi_877_;
+                            let _e2009 = phi_879_;
+                            let _e2011 = phi_3853_;
                             continue;
                             continuing {
-                                phi_3949_ = _e1818;
-                                phi_863_ = _e1820;
-                                phi_866_ = _e1822;
-                                phi_868_ = _e1824;
-                                phi_870_ = _e1826;
-                                phi_872_ = _e1828;
-                                phi_4104_ = _e1818;
-                                break if !(_e1830);
+                                phi_4222_ = _e1999;
+                                phi_869_ = _e2001;
+                                phi_872_ = _e2003;
+                                phi_874_ = _e2005;
+                                phi_876_ = _e2007;
+                                phi_878_ = _e2009;
+                                phi_4405_ = _e1999;
+                                break if !(_e2011);
                             }
                         }
-                        let _e1833 = phi_4104_;
-                        if _e1833 {
+                        let _e2014 = phi_4405_;
+                        if _e2014 {
                             break;
                         }
-                        let _e1835 = local_10;
-                        if (_e1835.member.member.member_3 != 4294967295u) {
-                            let _e1841 = (_e272 / 3i);
-                            let _e1848 = bitcast<f32>((bitcast<u32>((_e1841 + 127i)) << bitcast<u32>(23i)));
-                            let _e1856 = (((_e1835.member.member.member * _e1848) * _e1848) * bitcast<f32>((bitcast<u32>(((_e272 - (2i * _e1841)) + 127i)) << bitcast<u32>(23i))));
-                            let _e1858 = select(340282350000000000000000000000000000000f, _e1856, (_e1856 < 340282350000000000000000000000000000000f));
-                            phi_3632_ = type_18(select(-340282350000000000000000000000000000000f, _e1858, (_e1858 > -340282350000000000000000000000000000000f)), _e1835.member.member.member_1, _e1835.member.member.member_2, _e1835.member.member.member_3);
+                        let _e2016 = local_10;
+                        if (_e2016.member.member.member_3 != 4294967295u) {
+                            let _e2022 = (_e273 / 3i);
+                            let _e2029 = bitcast<f32>((bitcast<u32>((_e2022 + 127i)) << bitcast<u32>(23i)));
+                            let _e2037 = (((_e2016.member.member.member * _e2029) * _e2029) * bitcast<f32>((bitcast<u32>(((_e273 - (2i * _e2022)) + 127i)) << bitcast<u32>(23i))));
+                            let _e2039 = select(340282350000000000000000000000000000000f, _e2037, (_e2037 < 340282350000000000000000000000000000000f));
+                            phi_3905_ = type_18(select(-340282350000000000000000000000000000000f, _e2039, (_e2039 > -340282350000000000000000000000000000000f)), _e2016.member.member.member_1, _e2016.member.member.member_2, _e2016.member.member.member_3);
                         } else {
-                            phi_3632_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                            phi_3905_ = type_18(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                         }
-                        let _e1865 = phi_3632_;
-                        if _e148 {
-                        } else {
-                            break;
-                        }
-                        global_1.member[_e132] = _e1865;
-                        let _e1869 = local_11;
+                        let _e2046 = phi_3905_;
                         if _e149 {
                         } else {
                             break;
                         }
-                        global_4.member[_e132] = _e1869.member_1;
-                        if _e147 {
+                        global_1.member[_e133] = _e2046;
+                        let _e2050 = local_11;
+                        if _e150 {
                         } else {
                             break;
                         }
-                        let _e1874 = select(0u, 1u, (_e216 <= _e226));
-                        if (_e1874 > 0u) {
-                            let _e1876 = (1u < _e100);
-                            if _e1876 {
-                                if (0u < _e100) {
+                        global_4.member[_e133] = _e2050.member_1;
+                        if _e148 {
+                        } else {
+                            break;
+                        }
+                        let _e2055 = select(0u, 1u, (_e217 <= _e227));
+                        if (_e2055 > 0u) {
+                            let _e2057 = (1u < _e101);
+                            if _e2057 {
+                                if (0u < _e101) {
                                 } else {
                                     break;
                                 }
-                                let _e1880 = atomicAdd((&global_5.member[0u]), _e1874);
-                                if ((_e1880 + _e1874) < _e1880) {
-                                    if _e1876 {
+                                let _e2061 = atomicAdd((&global_5.member[0u]), _e2055);
+                                if ((_e2061 + _e2055) < _e2061) {
+                                    if _e2057 {
                                     } else {
                                         break;
                                     }
-                                    let _e1885 = atomicAdd((&global_5.member[1u]), 1u);
+                                    let _e2066 = atomicAdd((&global_5.member[1u]), 1u);
                                 }
                             }
                         }
-                        let _e1888 = select(0u, 1u, (_e1865.member_3 != 4294967295u));
-                        if (_e1888 > 0u) {
-                            let _e1890 = (3u < _e100);
-                            if _e1890 {
-                                if (2u < _e100) {
+                        let _e2069 = select(0u, 1u, (_e2046.member_3 != 4294967295u));
+                        if (_e2069 > 0u) {
+                            let _e2071 = (3u < _e101);
+                            if _e2071 {
+                                if (2u < _e101) {
                                 } else {
                                     break;
                                 }
-                                let _e1894 = atomicAdd((&global_5.member[2u]), _e1888);
-                                if ((_e1894 + _e1888) < _e1894) {
-                                    if _e1890 {
+                                let _e2075 = atomicAdd((&global_5.member[2u]), _e2069);
+                                if ((_e2075 + _e2069) < _e2075) {
+                                    if _e2071 {
                                     } else {
                                         break;
                                     }
-                                    let _e1899 = atomicAdd((&global_5.member[3u]), 1u);
+                                    let _e2080 = atomicAdd((&global_5.member[3u]), 1u);
                                 }
                             }
                         }
-                        if (_e1869.member_1 > 0u) {
-                            let _e1901 = (5u < _e100);
-                            if _e1901 {
-                                if (4u < _e100) {
+                        if (_e2050.member_1 > 0u) {
+                            let _e2082 = (5u < _e101);
+                            if _e2082 {
+                                if (4u < _e101) {
                                 } else {
                                     break;
                                 }
-                                let _e1905 = atomicAdd((&global_5.member[4u]), _e1869.member_1);
-                                if ((_e1905 + _e1869.member_1) < _e1905) {
-                                    if _e1901 {
+                                let _e2086 = atomicAdd((&global_5.member[4u]), _e2050.member_1);
+                                if ((_e2086 + _e2050.member_1) < _e2086) {
+                                    if _e2082 {
                                     } else {
                                         break;
                                     }
-                                    let _e1910 = atomicAdd((&global_5.member[5u]), 1u);
+                                    let _e2091 = atomicAdd((&global_5.member[5u]), 1u);
                                 }
                             }
                         }

@@ -128,416 +128,433 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_267_: u32;
-    var phi_311_: i32;
-    var phi_335_: type_40;
-    var phi_441_: i32;
-    var phi_442_: i32;
-    var phi_452_: bool;
-    var phi_462_: u32;
-    var phi_463_: u32;
-    var phi_465_: bool;
-    var phi_470_: u32;
-    var phi_502_: i32;
-    var phi_520_: f32;
-    var phi_526_: f32;
-    var phi_537_: f32;
-    var phi_543_: f32;
-    var phi_566_: f32;
-    var phi_577_: f32;
-    var phi_586_: f32;
-    var phi_592_: f32;
-    var phi_603_: f32;
-    var phi_609_: f32;
-    var phi_632_: f32;
-    var phi_643_: f32;
-    var phi_652_: f32;
-    var phi_658_: f32;
-    var phi_669_: f32;
-    var phi_675_: f32;
-    var phi_698_: f32;
-    var phi_709_: f32;
-    var phi_809_: f32;
-    var phi_810_: f32;
-    var phi_3220_: bool;
-    var phi_883_: type_43;
-    var phi_886_: type_61;
-    var phi_888_: u32;
-    var phi_890_: bool;
-    var phi_892_: u32;
-    var phi_903_: bool;
-    var phi_989_: type_61;
-    var phi_990_: bool;
-    var phi_991_: u32;
-    var phi_2097_: type_54;
-    var phi_2929_: type_61;
-    var phi_3006_: type_61;
-    var phi_3007_: type_61;
-    var phi_3008_: u32;
-    var phi_3010_: type_61;
-    var phi_3011_: u32;
-    var phi_3012_: bool;
-    var phi_3019_: type_61;
-    var phi_3024_: type_61;
-    var phi_3025_: bool;
-    var phi_1009_: type_43;
-    var phi_1012_: type_8;
-    var phi_1013_: type_8;
-    var phi_1035_: type_8;
-    var phi_1056_: u32;
-    var phi_1145_: array<array<f32, 3>, 3>;
-    var phi_1616_: vec3<f32>;
-    var phi_1617_: vec3<f32>;
-    var phi_1648_: bool;
-    var phi_1657_: vec3<f32>;
-    var phi_1697_: type_27;
-    var phi_1699_: type_27;
-    var phi_1700_: bool;
-    var phi_1704_: type_27;
-    var phi_1705_: type_27;
-    var phi_1706_: type_27;
-    var phi_1707_: bool;
-    var phi_1711_: type_27;
-    var phi_1712_: bool;
-    var phi_1716_: type_27;
-    var phi_1717_: bool;
-    var phi_1721_: type_27;
-    var phi_1744_: u32;
-    var phi_1758_: i32;
-    var phi_1778_: vec3<f32>;
-    var phi_1779_: vec3<f32>;
-    var phi_1795_: vec3<f32>;
-    var phi_1796_: vec3<f32>;
-    var phi_1812_: vec3<f32>;
-    var phi_1813_: vec3<f32>;
-    var phi_1849_: vec3<f32>;
-    var phi_2031_: f32;
-    var phi_2049_: bool;
-    var phi_2050_: bool;
-    var phi_2069_: bool;
-    var phi_2070_: bool;
-    var phi_2076_: type_43;
-    var phi_2077_: type_43;
-    var phi_2078_: type_43;
-    var phi_1010_: type_43;
-    var phi_3214_: bool;
-    var phi_3356_: bool;
-    var phi_3027_: type_43;
-    var phi_3028_: type_61;
-    var phi_3029_: bool;
-    var phi_3030_: u32;
-    var phi_3355_: bool;
-    var phi_3031_: type_43;
-    var phi_3032_: type_61;
-    var phi_3033_: u32;
-    var phi_3034_: bool;
-    var phi_3035_: u32;
-    var phi_3354_: bool;
-    var phi_3036_: type_43;
-    var phi_3037_: type_61;
-    var phi_3038_: u32;
-    var phi_3039_: bool;
-    var phi_3040_: u32;
-    var phi_3353_: bool;
-    var phi_884_: type_43;
-    var phi_887_: type_61;
-    var phi_889_: u32;
-    var phi_891_: bool;
+    var phi_272_: u32;
+    var phi_316_: i32;
+    var phi_340_: type_40;
+    var phi_446_: i32;
+    var phi_447_: i32;
+    var phi_457_: bool;
+    var phi_467_: u32;
+    var phi_468_: u32;
+    var phi_470_: bool;
+    var phi_475_: u32;
+    var phi_507_: i32;
+    var phi_525_: f32;
+    var phi_531_: f32;
+    var phi_542_: f32;
+    var phi_548_: f32;
+    var phi_571_: f32;
+    var phi_582_: f32;
+    var phi_591_: f32;
+    var phi_597_: f32;
+    var phi_608_: f32;
+    var phi_614_: f32;
+    var phi_637_: f32;
+    var phi_648_: f32;
+    var phi_657_: f32;
+    var phi_663_: f32;
+    var phi_674_: f32;
+    var phi_680_: f32;
+    var phi_703_: f32;
+    var phi_714_: f32;
+    var phi_814_: f32;
+    var phi_815_: f32;
+    var phi_3492_: bool;
+    var phi_888_: type_43;
+    var phi_891_: type_61;
     var phi_893_: u32;
-    var phi_3041_: bool;
-    var phi_3352_: bool;
+    var phi_895_: bool;
+    var phi_897_: u32;
+    var phi_908_: bool;
+    var phi_994_: type_61;
+    var phi_995_: bool;
+    var phi_996_: u32;
+    var phi_2369_: type_54;
+    var phi_3201_: type_61;
+    var phi_3278_: type_61;
+    var phi_3279_: type_61;
+    var phi_3280_: u32;
+    var phi_3282_: type_61;
+    var phi_3283_: u32;
+    var phi_3284_: bool;
+    var phi_3291_: type_61;
+    var phi_3296_: type_61;
+    var phi_3297_: bool;
+    var phi_1014_: type_43;
+    var phi_1017_: type_8;
+    var phi_1018_: type_8;
+    var phi_1040_: type_8;
+    var phi_1061_: u32;
+    var phi_1150_: array<array<f32, 3>, 3>;
+    var phi_1267_: bool;
+    var phi_1296_: bool;
+    var phi_1697_: f32;
+    var phi_1698_: f32;
+    var phi_1699_: f32;
+    var phi_1700_: f32;
+    var phi_1701_: vec3<f32>;
+    var phi_1702_: vec3<f32>;
+    var phi_1703_: vec3<f32>;
+    var phi_1704_: vec3<f32>;
+    var phi_1735_: bool;
+    var phi_1744_: vec3<f32>;
+    var phi_1911_: bool;
+    var phi_1935_: f32;
+    var phi_1936_: f32;
+    var phi_1959_: type_27;
+    var phi_1961_: type_27;
+    var phi_1962_: bool;
+    var phi_1966_: type_27;
+    var phi_1967_: type_27;
+    var phi_1968_: type_27;
+    var phi_1969_: bool;
+    var phi_1973_: type_27;
+    var phi_1974_: bool;
+    var phi_1975_: type_27;
+    var phi_1976_: bool;
+    var phi_1977_: bool;
+    var phi_1978_: type_27;
+    var phi_1979_: bool;
+    var phi_1980_: bool;
+    var phi_1988_: type_27;
+    var phi_1989_: bool;
+    var phi_1993_: type_27;
+    var phi_2016_: u32;
+    var phi_2030_: i32;
+    var phi_2050_: vec3<f32>;
+    var phi_2051_: vec3<f32>;
+    var phi_2067_: vec3<f32>;
+    var phi_2068_: vec3<f32>;
+    var phi_2084_: vec3<f32>;
+    var phi_2085_: vec3<f32>;
+    var phi_2121_: vec3<f32>;
+    var phi_2303_: f32;
+    var phi_2321_: bool;
+    var phi_2322_: bool;
+    var phi_2341_: bool;
+    var phi_2342_: bool;
+    var phi_2348_: type_43;
+    var phi_2349_: type_43;
+    var phi_2350_: type_43;
+    var phi_1015_: type_43;
+    var phi_3486_: bool;
+    var phi_3656_: bool;
+    var phi_3299_: type_43;
+    var phi_3300_: type_61;
+    var phi_3301_: bool;
+    var phi_3302_: u32;
+    var phi_3655_: bool;
+    var phi_3303_: type_43;
+    var phi_3304_: type_61;
+    var phi_3305_: u32;
+    var phi_3306_: bool;
+    var phi_3307_: u32;
+    var phi_3654_: bool;
+    var phi_3308_: type_43;
+    var phi_3309_: type_61;
+    var phi_3310_: u32;
+    var phi_3311_: bool;
+    var phi_3312_: u32;
+    var phi_3653_: bool;
+    var phi_889_: type_43;
+    var phi_892_: type_61;
+    var phi_894_: u32;
+    var phi_896_: bool;
+    var phi_898_: u32;
+    var phi_3313_: bool;
+    var phi_3652_: bool;
     var local_10: type_43;
-    var phi_3093_: type_27;
+    var phi_3365_: type_27;
     var local_11: type_43;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e85 = global;
-            let _e88 = arrayLength((&global_10.member));
-            let _e90 = arrayLength((&global_4.member));
-            let _e102 = arrayLength((&global_9.member));
-            let _e106 = global_3.member[0u][0u];
-            let _e110 = global_3.member[0u][1u];
-            let _e114 = global_3.member[0u][2u];
-            let _e118 = global_3.member[1u][0u];
-            let _e122 = global_3.member[1u][1u];
-            let _e126 = global_3.member[1u][2u];
-            let _e130 = global_3.member[1u][3u];
-            let _e134 = (_e85.x + (_e85.y * 2097152u));
-            let _e141 = (_e134 < arrayLength((&global_7.member)));
-            if _e141 {
-                if _e141 {
+            let _e87 = global;
+            let _e90 = arrayLength((&global_10.member));
+            let _e92 = arrayLength((&global_4.member));
+            let _e104 = arrayLength((&global_9.member));
+            let _e108 = global_3.member[0u][0u];
+            let _e112 = global_3.member[0u][1u];
+            let _e116 = global_3.member[0u][2u];
+            let _e120 = global_3.member[1u][0u];
+            let _e124 = global_3.member[1u][1u];
+            let _e128 = global_3.member[1u][2u];
+            let _e132 = global_3.member[1u][3u];
+            let _e136 = (_e87.x + (_e87.y * 2097152u));
+            let _e143 = (_e136 < arrayLength((&global_7.member)));
+            if _e143 {
+                if _e143 {
                 } else {
                     break;
                 }
-                let _e145 = global_7.member[_e134].member_2;
-                phi_267_ = _e145;
+                let _e147 = global_7.member[_e136].member_2;
+                phi_272_ = _e147;
             } else {
-                phi_267_ = 4294967295u;
+                phi_272_ = 4294967295u;
             }
-            let _e147 = phi_267_;
-            let _e150 = global_1.member[0u];
-            let _e154 = global_2.member[0u][0u];
-            let _e158 = global_2.member[0u][1u];
-            let _e162 = global_2.member[0u][2u];
-            let _e166 = global_2.member[0u][3u];
-            let _e170 = global_2.member[1u][0u];
-            let _e174 = global_2.member[1u][1u];
-            let _e178 = global_2.member[1u][2u];
-            let _e182 = global_2.member[1u][3u];
-            let _e183 = bitcast<f32>(_e154);
-            let _e184 = bitcast<f32>(_e158);
-            let _e185 = bitcast<f32>(_e162);
-            let _e187 = bitcast<f32>(_e170);
-            let _e188 = array<u32, 3>(_e174, _e178, _e182);
-            let _e190 = bitcast<i32>(_e150);
-            if (_e190 < -126i) {
-                phi_311_ = -126i;
+            let _e149 = phi_272_;
+            let _e152 = global_1.member[0u];
+            let _e156 = global_2.member[0u][0u];
+            let _e160 = global_2.member[0u][1u];
+            let _e164 = global_2.member[0u][2u];
+            let _e168 = global_2.member[0u][3u];
+            let _e172 = global_2.member[1u][0u];
+            let _e176 = global_2.member[1u][1u];
+            let _e180 = global_2.member[1u][2u];
+            let _e184 = global_2.member[1u][3u];
+            let _e185 = bitcast<f32>(_e156);
+            let _e186 = bitcast<f32>(_e160);
+            let _e187 = bitcast<f32>(_e164);
+            let _e189 = bitcast<f32>(_e172);
+            let _e190 = array<u32, 3>(_e176, _e180, _e184);
+            let _e192 = bitcast<i32>(_e152);
+            if (_e192 < -126i) {
+                phi_316_ = -126i;
             } else {
-                phi_311_ = select(_e190, 127i, (_e190 > 127i));
+                phi_316_ = select(_e192, 127i, (_e192 > 127i));
             }
-            let _e195 = phi_311_;
-            let _e200 = bitcast<f32>((bitcast<u32>((_e195 + 127i)) << bitcast<u32>(23i)));
-            let _e206 = bitcast<f32>((bitcast<u32>(((_e190 - _e195) + 127i)) << bitcast<u32>(23i)));
-            if (_e166 == 0u) {
-                phi_335_ = type_40(array<f32, 3>(_e183, _e184, _e185), _e166, _e187, _e188);
+            let _e197 = phi_316_;
+            let _e202 = bitcast<f32>((bitcast<u32>((_e197 + 127i)) << bitcast<u32>(23i)));
+            let _e208 = bitcast<f32>((bitcast<u32>(((_e192 - _e197) + 127i)) << bitcast<u32>(23i)));
+            if (_e168 == 0u) {
+                phi_340_ = type_40(array<f32, 3>(_e185, _e186, _e187), _e168, _e189, _e190);
             } else {
-                phi_335_ = type_40(array<f32, 3>(((_e183 * _e200) * _e206), ((_e184 * _e200) * _e206), ((_e185 * _e200) * _e206)), _e166, ((_e187 * _e200) * _e206), _e188);
+                phi_340_ = type_40(array<f32, 3>(((_e185 * _e202) * _e208), ((_e186 * _e202) * _e208), ((_e187 * _e202) * _e208)), _e168, ((_e189 * _e202) * _e208), _e190);
             }
-            let _e219 = phi_335_;
-            if _e141 {
-                let _e220 = (_e134 < arrayLength((&global_8.member)));
-                if _e220 {
-                    if _e141 {
+            let _e221 = phi_340_;
+            if _e143 {
+                let _e222 = (_e136 < arrayLength((&global_8.member)));
+                if _e222 {
+                    if _e143 {
                     } else {
                         break;
                     }
-                    let _e230 = global_7.member[_e134].member.member_2[0u];
-                    let _e232 = (bitcast<u32>(_e230) & 2147483647u);
-                    let _e238 = global_7.member[_e134].member.member_2[1u];
-                    let _e240 = (bitcast<u32>(_e238) & 2147483647u);
-                    let _e246 = global_7.member[_e134].member.member_2[2u];
-                    let _e248 = (bitcast<u32>(_e246) & 2147483647u);
-                    let _e254 = global_7.member[_e134].member.member[0u];
-                    let _e256 = (bitcast<u32>(_e254) & 2147483647u);
-                    let _e262 = global_7.member[_e134].member.member[1u];
-                    let _e264 = (bitcast<u32>(_e262) & 2147483647u);
-                    let _e270 = global_7.member[_e134].member.member[2u];
-                    let _e272 = (bitcast<u32>(_e270) & 2147483647u);
-                    let _e274 = select(_e240, _e232, (_e240 < _e232));
-                    let _e276 = select(_e248, _e274, (_e248 < _e274));
-                    let _e278 = select(_e256, _e276, (_e256 < _e276));
-                    let _e280 = select(_e264, _e278, (_e264 < _e278));
-                    let _e282 = select(_e272, _e280, (_e272 < _e280));
-                    let _e287 = global_7.member[_e134].member.member_1;
-                    let _e289 = (bitcast<u32>(_e287) & 2147483647u);
-                    let _e297 = global_7.member[_e134].member.member_3;
-                    let _e303 = (((select(_e289, _e282, (_e289 < _e282)) < 2139095040u) && ((bitcast<u32>(_e297) & 2147483647u) <= 2139095040u)) && (_e276 > 0u));
-                    if _e303 {
-                        let _e306 = (bitcast<u32>(bitcast<f32>(_e276)) & 2147483647u);
-                        if (_e306 >= 8388608u) {
-                            phi_441_ = (bitcast<i32>((_e306 >> bitcast<u32>(23i))) - 127i);
+                    let _e232 = global_7.member[_e136].member.member_2[0u];
+                    let _e234 = (bitcast<u32>(_e232) & 2147483647u);
+                    let _e240 = global_7.member[_e136].member.member_2[1u];
+                    let _e242 = (bitcast<u32>(_e240) & 2147483647u);
+                    let _e248 = global_7.member[_e136].member.member_2[2u];
+                    let _e250 = (bitcast<u32>(_e248) & 2147483647u);
+                    let _e256 = global_7.member[_e136].member.member[0u];
+                    let _e258 = (bitcast<u32>(_e256) & 2147483647u);
+                    let _e264 = global_7.member[_e136].member.member[1u];
+                    let _e266 = (bitcast<u32>(_e264) & 2147483647u);
+                    let _e272 = global_7.member[_e136].member.member[2u];
+                    let _e274 = (bitcast<u32>(_e272) & 2147483647u);
+                    let _e276 = select(_e242, _e234, (_e242 < _e234));
+                    let _e278 = select(_e250, _e276, (_e250 < _e276));
+                    let _e280 = select(_e258, _e278, (_e258 < _e278));
+                    let _e282 = select(_e266, _e280, (_e266 < _e280));
+                    let _e284 = select(_e274, _e282, (_e274 < _e282));
+                    let _e289 = global_7.member[_e136].member.member_1;
+                    let _e291 = (bitcast<u32>(_e289) & 2147483647u);
+                    let _e299 = global_7.member[_e136].member.member_3;
+                    let _e305 = (((select(_e291, _e284, (_e291 < _e284)) < 2139095040u) && ((bitcast<u32>(_e299) & 2147483647u) <= 2139095040u)) && (_e278 > 0u));
+                    if _e305 {
+                        let _e308 = (bitcast<u32>(bitcast<f32>(_e278)) & 2147483647u);
+                        if (_e308 >= 8388608u) {
+                            phi_446_ = (bitcast<i32>((_e308 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_441_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e306)), 32u, (_e306 == 0u))));
+                            phi_446_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e308)), 32u, (_e308 == 0u))));
                         }
-                        let _e320 = phi_441_;
-                        phi_442_ = _e320;
+                        let _e322 = phi_446_;
+                        phi_447_ = _e322;
                     } else {
-                        phi_442_ = 0i;
+                        phi_447_ = 0i;
                     }
-                    let _e322 = phi_442_;
-                    let _e323 = (_e232 == _e276);
-                    if _e323 {
-                        phi_452_ = true;
+                    let _e324 = phi_447_;
+                    let _e325 = (_e234 == _e278);
+                    if _e325 {
+                        phi_457_ = true;
                     } else {
-                        phi_452_ = (_e240 == _e276);
+                        phi_457_ = (_e242 == _e278);
                     }
-                    let _e326 = phi_452_;
-                    let _e327 = select(1u, 0u, _e323);
-                    if _e326 {
-                        let _e328 = (_e327 + 1u);
-                        phi_462_ = _e328;
-                        phi_463_ = _e328;
-                        phi_465_ = select(true, false, (_e328 == 2u));
+                    let _e328 = phi_457_;
+                    let _e329 = select(1u, 0u, _e325);
+                    if _e328 {
+                        let _e330 = (_e329 + 1u);
+                        phi_467_ = _e330;
+                        phi_468_ = _e330;
+                        phi_470_ = select(true, false, (_e330 == 2u));
                     } else {
-                        phi_462_ = u32();
-                        phi_463_ = 0u;
-                        phi_465_ = true;
+                        phi_467_ = u32();
+                        phi_468_ = 0u;
+                        phi_470_ = true;
                     }
-                    let _e332 = phi_462_;
-                    let _e334 = phi_463_;
-                    let _e336 = phi_465_;
-                    if _e336 {
-                        phi_470_ = (_e334 + 1u);
+                    let _e334 = phi_467_;
+                    let _e336 = phi_468_;
+                    let _e338 = phi_470_;
+                    if _e338 {
+                        phi_475_ = (_e336 + 1u);
                     } else {
-                        phi_470_ = 0u;
+                        phi_475_ = 0u;
                     }
-                    let _e340 = phi_470_;
-                    let _e341 = select(_e332, _e334, _e336);
-                    let _e342 = select(_e327, select(2u, _e327, _e326), _e336);
-                    let _e343 = -(_e322);
-                    if (_e343 < -126i) {
-                        phi_502_ = -126i;
+                    let _e342 = phi_475_;
+                    let _e343 = select(_e334, _e336, _e338);
+                    let _e344 = select(_e329, select(2u, _e329, _e328), _e338);
+                    let _e345 = -(_e324);
+                    if (_e345 < -126i) {
+                        phi_507_ = -126i;
                     } else {
-                        phi_502_ = select(_e343, 127i, (_e343 > 127i));
+                        phi_507_ = select(_e345, 127i, (_e345 > 127i));
                     }
-                    let _e348 = phi_502_;
-                    let _e353 = bitcast<f32>((bitcast<u32>((_e348 + 127i)) << bitcast<u32>(23i)));
-                    let _e359 = bitcast<f32>((bitcast<u32>(((_e343 - _e348) + 127i)) << bitcast<u32>(23i)));
-                    let _e364 = global_7.member[_e134].member.member;
-                    let _e365 = (_e341 == 0u);
-                    if _e365 {
-                        phi_520_ = _e364[0];
+                    let _e350 = phi_507_;
+                    let _e355 = bitcast<f32>((bitcast<u32>((_e350 + 127i)) << bitcast<u32>(23i)));
+                    let _e361 = bitcast<f32>((bitcast<u32>(((_e345 - _e350) + 127i)) << bitcast<u32>(23i)));
+                    let _e366 = global_7.member[_e136].member.member;
+                    let _e367 = (_e343 == 0u);
+                    if _e367 {
+                        phi_525_ = _e366[0];
                     } else {
-                        phi_520_ = _e364[1];
+                        phi_525_ = _e366[1];
                     }
-                    let _e369 = phi_520_;
-                    let _e370 = (_e341 == 2u);
-                    if _e370 {
-                        phi_526_ = _e364[2];
+                    let _e371 = phi_525_;
+                    let _e372 = (_e343 == 2u);
+                    if _e372 {
+                        phi_531_ = _e366[2];
                     } else {
-                        phi_526_ = _e369;
+                        phi_531_ = _e371;
                     }
-                    let _e373 = phi_526_;
-                    let _e374 = global_7.member[_e134].member.member_2;
-                    if _e365 {
-                        phi_537_ = _e374[0];
+                    let _e375 = phi_531_;
+                    let _e376 = global_7.member[_e136].member.member_2;
+                    if _e367 {
+                        phi_542_ = _e376[0];
                     } else {
-                        phi_537_ = _e374[1];
+                        phi_542_ = _e376[1];
                     }
-                    let _e378 = phi_537_;
-                    if _e370 {
-                        phi_543_ = _e374[2];
+                    let _e380 = phi_542_;
+                    if _e372 {
+                        phi_548_ = _e376[2];
                     } else {
-                        phi_543_ = _e378;
+                        phi_548_ = _e380;
                     }
-                    let _e381 = phi_543_;
-                    let _e383 = ((_e381 * _e353) * _e359);
-                    let _e387 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e387 {
-                        let _e391 = (bitcast<f32>((bitcast<u32>(_e373) & 2147483647u)) * 0.00000011920929f);
-                        phi_566_ = select(0.00000000000011368684f, _e391, (_e391 > 0.00000000000011368684f));
+                    let _e383 = phi_548_;
+                    let _e385 = ((_e383 * _e355) * _e361);
+                    let _e389 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e389 {
+                        let _e393 = (bitcast<f32>((bitcast<u32>(_e375) & 2147483647u)) * 0.00000011920929f);
+                        phi_571_ = select(0.00000000000011368684f, _e393, (_e393 > 0.00000000000011368684f));
                     } else {
-                        phi_566_ = 0f;
+                        phi_571_ = 0f;
                     }
-                    let _e395 = phi_566_;
-                    let _e396 = (_e373 + _e395);
-                    let _e397 = (_e373 - _e395);
-                    let _e398 = select(_e383, 0f, _e387);
-                    if _e387 {
-                        phi_577_ = 38685626000000000000000000f;
+                    let _e397 = phi_571_;
+                    let _e398 = (_e375 + _e397);
+                    let _e399 = (_e375 - _e397);
+                    let _e400 = select(_e385, 0f, _e389);
+                    if _e389 {
+                        phi_582_ = 38685626000000000000000000f;
                     } else {
-                        phi_577_ = (1f / _e383);
+                        phi_582_ = (1f / _e385);
                     }
-                    let _e401 = phi_577_;
-                    let _e402 = (_e340 == 0u);
-                    if _e402 {
-                        phi_586_ = _e364[0];
+                    let _e403 = phi_582_;
+                    let _e404 = (_e342 == 0u);
+                    if _e404 {
+                        phi_591_ = _e366[0];
                     } else {
-                        phi_586_ = _e364[1];
+                        phi_591_ = _e366[1];
                     }
-                    let _e406 = phi_586_;
-                    let _e407 = (_e340 == 2u);
-                    if _e407 {
-                        phi_592_ = _e364[2];
+                    let _e408 = phi_591_;
+                    let _e409 = (_e342 == 2u);
+                    if _e409 {
+                        phi_597_ = _e366[2];
                     } else {
-                        phi_592_ = _e406;
+                        phi_597_ = _e408;
                     }
-                    let _e410 = phi_592_;
-                    if _e402 {
-                        phi_603_ = _e374[0];
+                    let _e412 = phi_597_;
+                    if _e404 {
+                        phi_608_ = _e376[0];
                     } else {
-                        phi_603_ = _e374[1];
+                        phi_608_ = _e376[1];
                     }
-                    let _e414 = phi_603_;
-                    if _e407 {
-                        phi_609_ = _e374[2];
+                    let _e416 = phi_608_;
+                    if _e409 {
+                        phi_614_ = _e376[2];
                     } else {
-                        phi_609_ = _e414;
+                        phi_614_ = _e416;
                     }
-                    let _e417 = phi_609_;
-                    let _e419 = ((_e417 * _e353) * _e359);
-                    let _e423 = (bitcast<f32>((bitcast<u32>(_e419) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e423 {
-                        let _e427 = (bitcast<f32>((bitcast<u32>(_e410) & 2147483647u)) * 0.00000011920929f);
-                        phi_632_ = select(0.00000000000011368684f, _e427, (_e427 > 0.00000000000011368684f));
+                    let _e419 = phi_614_;
+                    let _e421 = ((_e419 * _e355) * _e361);
+                    let _e425 = (bitcast<f32>((bitcast<u32>(_e421) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e425 {
+                        let _e429 = (bitcast<f32>((bitcast<u32>(_e412) & 2147483647u)) * 0.00000011920929f);
+                        phi_637_ = select(0.00000000000011368684f, _e429, (_e429 > 0.00000000000011368684f));
                     } else {
-                        phi_632_ = 0f;
+                        phi_637_ = 0f;
                     }
-                    let _e431 = phi_632_;
-                    let _e432 = (_e410 + _e431);
-                    let _e433 = (_e410 - _e431);
-                    let _e434 = select(_e419, 0f, _e423);
-                    if _e423 {
-                        phi_643_ = 38685626000000000000000000f;
+                    let _e433 = phi_637_;
+                    let _e434 = (_e412 + _e433);
+                    let _e435 = (_e412 - _e433);
+                    let _e436 = select(_e421, 0f, _e425);
+                    if _e425 {
+                        phi_648_ = 38685626000000000000000000f;
                     } else {
-                        phi_643_ = (1f / _e419);
+                        phi_648_ = (1f / _e421);
                     }
-                    let _e437 = phi_643_;
-                    let _e438 = (_e342 == 0u);
-                    if _e438 {
-                        phi_652_ = _e364[0];
+                    let _e439 = phi_648_;
+                    let _e440 = (_e344 == 0u);
+                    if _e440 {
+                        phi_657_ = _e366[0];
                     } else {
-                        phi_652_ = _e364[1];
+                        phi_657_ = _e366[1];
                     }
-                    let _e442 = phi_652_;
-                    let _e443 = (_e342 == 2u);
-                    if _e443 {
-                        phi_658_ = _e364[2];
+                    let _e444 = phi_657_;
+                    let _e445 = (_e344 == 2u);
+                    if _e445 {
+                        phi_663_ = _e366[2];
                     } else {
-                        phi_658_ = _e442;
+                        phi_663_ = _e444;
                     }
-                    let _e446 = phi_658_;
-                    if _e438 {
-                        phi_669_ = _e374[0];
+                    let _e448 = phi_663_;
+                    if _e440 {
+                        phi_674_ = _e376[0];
                     } else {
-                        phi_669_ = _e374[1];
+                        phi_674_ = _e376[1];
                     }
-                    let _e450 = phi_669_;
-                    if _e443 {
-                        phi_675_ = _e374[2];
+                    let _e452 = phi_674_;
+                    if _e445 {
+                        phi_680_ = _e376[2];
                     } else {
-                        phi_675_ = _e450;
+                        phi_680_ = _e452;
                     }
-                    let _e453 = phi_675_;
-                    let _e455 = ((_e453 * _e353) * _e359);
-                    let _e459 = (bitcast<f32>((bitcast<u32>(_e455) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e459 {
-                        let _e463 = (bitcast<f32>((bitcast<u32>(_e446) & 2147483647u)) * 0.00000011920929f);
-                        phi_698_ = select(0.00000000000011368684f, _e463, (_e463 > 0.00000000000011368684f));
+                    let _e455 = phi_680_;
+                    let _e457 = ((_e455 * _e355) * _e361);
+                    let _e461 = (bitcast<f32>((bitcast<u32>(_e457) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e461 {
+                        let _e465 = (bitcast<f32>((bitcast<u32>(_e448) & 2147483647u)) * 0.00000011920929f);
+                        phi_703_ = select(0.00000000000011368684f, _e465, (_e465 > 0.00000000000011368684f));
                     } else {
-                        phi_698_ = 0f;
+                        phi_703_ = 0f;
                     }
-                    let _e467 = phi_698_;
-                    let _e468 = (_e446 + _e467);
-                    let _e469 = (_e446 - _e467);
-                    let _e470 = select(_e455, 0f, _e459);
-                    if _e459 {
-                        phi_709_ = 38685626000000000000000000f;
+                    let _e469 = phi_703_;
+                    let _e470 = (_e448 + _e469);
+                    let _e471 = (_e448 - _e469);
+                    let _e472 = select(_e457, 0f, _e461);
+                    if _e461 {
+                        phi_714_ = 38685626000000000000000000f;
                     } else {
-                        phi_709_ = (1f / _e455);
+                        phi_714_ = (1f / _e457);
                     }
-                    let _e473 = phi_709_;
-                    let _e476 = bitcast<f32>((bitcast<u32>(_e373) & 2147483647u));
-                    let _e479 = bitcast<f32>((bitcast<u32>(_e410) & 2147483647u));
-                    let _e481 = select(_e479, _e476, (_e476 > _e479));
-                    let _e484 = bitcast<f32>((bitcast<u32>(_e446) & 2147483647u));
-                    if (_e303 && (select(_e484, _e481, (_e481 > _e484)) <= 1099511600000f)) {
-                        let _e489 = (_e322 / 3i);
-                        let _e496 = bitcast<f32>((bitcast<u32>((_e489 + 127i)) << bitcast<u32>(23i)));
-                        let _e503 = bitcast<f32>((bitcast<u32>(((_e322 - (2i * _e489)) + 127i)) << bitcast<u32>(23i)));
-                        let _e504 = (((_e287 * _e496) * _e496) * _e503);
-                        let _e506 = select(340282350000000000000000000000000000000f, _e504, (_e504 < 340282350000000000000000000000000000000f));
-                        let _e511 = (((_e297 * _e496) * _e496) * _e503);
-                        let _e513 = select(340282350000000000000000000000000000000f, _e511, (_e511 < 340282350000000000000000000000000000000f));
-                        phi_809_ = select(-340282350000000000000000000000000000000f, _e513, (_e513 > -340282350000000000000000000000000000000f));
-                        phi_810_ = select(-340282350000000000000000000000000000000f, _e506, (_e506 > -340282350000000000000000000000000000000f));
+                    let _e475 = phi_714_;
+                    let _e478 = bitcast<f32>((bitcast<u32>(_e375) & 2147483647u));
+                    let _e481 = bitcast<f32>((bitcast<u32>(_e412) & 2147483647u));
+                    let _e483 = select(_e481, _e478, (_e478 > _e481));
+                    let _e486 = bitcast<f32>((bitcast<u32>(_e448) & 2147483647u));
+                    if (_e305 && (select(_e486, _e483, (_e483 > _e486)) <= 1099511600000f)) {
+                        let _e491 = (_e324 / 3i);
+                        let _e498 = bitcast<f32>((bitcast<u32>((_e491 + 127i)) << bitcast<u32>(23i)));
+                        let _e505 = bitcast<f32>((bitcast<u32>(((_e324 - (2i * _e491)) + 127i)) << bitcast<u32>(23i)));
+                        let _e506 = (((_e289 * _e498) * _e498) * _e505);
+                        let _e508 = select(340282350000000000000000000000000000000f, _e506, (_e506 < 340282350000000000000000000000000000000f));
+                        let _e513 = (((_e299 * _e498) * _e498) * _e505);
+                        let _e515 = select(340282350000000000000000000000000000000f, _e513, (_e513 < 340282350000000000000000000000000000000f));
+                        phi_814_ = select(-340282350000000000000000000000000000000f, _e515, (_e515 > -340282350000000000000000000000000000000f));
+                        phi_815_ = select(-340282350000000000000000000000000000000f, _e508, (_e508 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_809_ = 0f;
-                        phi_810_ = 1f;
+                        phi_814_ = 0f;
+                        phi_815_ = 1f;
                     }
-                    let _e517 = phi_809_;
-                    let _e519 = phi_810_;
+                    let _e519 = phi_814_;
+                    let _e521 = phi_815_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -546,907 +563,1015 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e106), bitcast<f32>(_e110), bitcast<f32>(_e114));
-                    let _e524 = (_e341 % 3u);
-                    let _e525 = (_e524 < 3u);
-                    if _e525 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e108), bitcast<f32>(_e112), bitcast<f32>(_e116));
+                    let _e526 = (_e343 % 3u);
+                    let _e527 = (_e526 < 3u);
+                    if _e527 {
                     } else {
                         break;
                     }
-                    let _e527 = local_9[_e524];
-                    let _e528 = (_e340 % 3u);
-                    let _e529 = (_e528 < 3u);
-                    if _e529 {
+                    let _e529 = local_9[_e526];
+                    let _e530 = (_e342 % 3u);
+                    let _e531 = (_e530 < 3u);
+                    if _e531 {
                     } else {
                         break;
                     }
-                    let _e531 = local_9[_e528];
-                    let _e532 = (_e342 % 3u);
-                    let _e533 = (_e532 < 3u);
-                    if _e533 {
+                    let _e533 = local_9[_e530];
+                    let _e534 = (_e344 % 3u);
+                    let _e535 = (_e534 < 3u);
+                    if _e535 {
                     } else {
                         break;
                     }
-                    let _e535 = local_9[_e532];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e118), bitcast<f32>(_e122), bitcast<f32>(_e126));
-                    if _e525 {
+                    let _e537 = local_9[_e534];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e120), bitcast<f32>(_e124), bitcast<f32>(_e128));
+                    if _e527 {
                     } else {
                         break;
                     }
-                    let _e539 = local_8[_e524];
-                    if _e529 {
+                    let _e541 = local_8[_e526];
+                    if _e531 {
                     } else {
                         break;
                     }
-                    let _e541 = local_8[_e528];
-                    if _e533 {
+                    let _e543 = local_8[_e530];
+                    if _e535 {
                     } else {
                         break;
                     }
-                    let _e543 = local_8[_e532];
-                    phi_3220_ = false;
-                    phi_883_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e517);
-                    phi_886_ = type_61(type_59(array<f32, 3>(_e527, _e531, _e535), array<f32, 3>(_e539, _e541, _e543)), select(0u, 2147483648u, (_e88 == 0u)));
-                    phi_888_ = ((3u * _e88) + 1u);
-                    phi_890_ = (_e519 <= _e517);
-                    phi_892_ = 0u;
+                    let _e545 = local_8[_e534];
+                    phi_3492_ = false;
+                    phi_888_ = type_43(type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e519);
+                    phi_891_ = type_61(type_59(array<f32, 3>(_e529, _e533, _e537), array<f32, 3>(_e541, _e543, _e545)), select(0u, 2147483648u, (_e90 == 0u)));
+                    phi_893_ = ((3u * _e90) + 1u);
+                    phi_895_ = (_e521 <= _e519);
+                    phi_897_ = 0u;
                     loop {
-                        let _e551 = phi_3220_;
-                        let _e553 = phi_883_;
-                        let _e555 = phi_886_;
-                        let _e557 = phi_888_;
-                        let _e559 = phi_890_;
-                        let _e561 = phi_892_;
-                        local_10 = _e553;
-                        if _e559 {
-                            phi_903_ = true;
+                        let _e553 = phi_3492_;
+                        let _e555 = phi_888_;
+                        let _e557 = phi_891_;
+                        let _e559 = phi_893_;
+                        let _e561 = phi_895_;
+                        let _e563 = phi_897_;
+                        local_10 = _e555;
+                        if _e561 {
+                            phi_908_ = true;
                         } else {
-                            phi_903_ = (_e561 > 0u);
+                            phi_908_ = (_e563 > 0u);
                         }
-                        let _e564 = phi_903_;
-                        if _e564 {
-                            let _e565 = (_e557 > 0u);
-                            if _e565 {
-                                if _e559 {
-                                    phi_989_ = _e555;
-                                    phi_990_ = _e559;
-                                    phi_991_ = _e561;
+                        let _e566 = phi_908_;
+                        if _e566 {
+                            let _e567 = (_e559 > 0u);
+                            if _e567 {
+                                if _e561 {
+                                    phi_994_ = _e557;
+                                    phi_995_ = _e561;
+                                    phi_996_ = _e563;
                                 } else {
-                                    let _e566 = (_e561 - 1u);
-                                    let _e567 = (_e566 % 128u);
-                                    let _e568 = (_e567 < 128u);
-                                    if _e568 {
+                                    let _e568 = (_e563 - 1u);
+                                    let _e569 = (_e568 % 128u);
+                                    let _e570 = (_e569 < 128u);
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e570 = local_6[_e567];
-                                    if _e568 {
+                                    let _e572 = local_6[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e572 = local_5[_e567];
-                                    if _e568 {
+                                    let _e574 = local_5[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e574 = local_4[_e567];
-                                    if _e568 {
+                                    let _e576 = local_4[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e576 = local_3[_e567];
-                                    if _e568 {
+                                    let _e578 = local_3[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e579 = local_2[_e567];
-                                    if _e568 {
+                                    let _e581 = local_2[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e581 = local_1[_e567];
-                                    if _e568 {
+                                    let _e583 = local_1[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e583 = local[_e567];
-                                    if _e568 {
+                                    let _e585 = local[_e569];
+                                    if _e570 {
                                     } else {
-                                        phi_3352_ = true;
+                                        phi_3652_ = true;
                                         break;
                                     }
-                                    let _e588 = local_7[_e567];
-                                    phi_989_ = type_61(type_59(array<f32, 3>(_e572, _e574, _e576), array<f32, 3>(_e579, _e581, _e583)), _e570);
-                                    phi_990_ = (_e588 <= _e553.member_1);
-                                    phi_991_ = _e566;
+                                    let _e590 = local_7[_e569];
+                                    phi_994_ = type_61(type_59(array<f32, 3>(_e574, _e576, _e578), array<f32, 3>(_e581, _e583, _e585)), _e572);
+                                    phi_995_ = (_e590 <= _e555.member_1);
+                                    phi_996_ = _e568;
                                 }
-                                let _e592 = phi_989_;
-                                let _e594 = phi_990_;
-                                let _e596 = phi_991_;
-                                if _e594 {
-                                    if ((_e592.member_1 & 2147483648u) != 0u) {
-                                        phi_1009_ = _e553;
-                                        phi_1012_ = type_8(0u, ((_e592.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e594 = phi_994_;
+                                let _e596 = phi_995_;
+                                let _e598 = phi_996_;
+                                if _e596 {
+                                    if ((_e594.member_1 & 2147483648u) != 0u) {
+                                        phi_1014_ = _e555;
+                                        phi_1017_ = type_8(0u, ((_e594.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e948 = phi_1009_;
-                                            let _e950 = phi_1012_;
-                                            local_11 = _e948;
-                                            if (_e950.member < _e950.member_1) {
-                                                phi_1013_ = type_8((_e950.member + 1u), _e950.member_1);
-                                                phi_1035_ = type_8(1u, _e950.member);
+                                            let _e950 = phi_1014_;
+                                            let _e952 = phi_1017_;
+                                            local_11 = _e950;
+                                            if (_e952.member < _e952.member_1) {
+                                                phi_1018_ = type_8((_e952.member + 1u), _e952.member_1);
+                                                phi_1040_ = type_8(1u, _e952.member);
                                             } else {
-                                                phi_1013_ = _e950;
-                                                phi_1035_ = type_8(0u, type_8().member_1);
+                                                phi_1018_ = _e952;
+                                                phi_1040_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e963 = phi_1013_;
-                                            let _e965 = phi_1035_;
-                                            let _e969 = (bitcast<i32>(_e965.member) != 0i);
-                                            if _e969 {
-                                                let _e970 = ((_e592.member_1 & 268435455u) + _e965.member_1);
-                                                let _e971 = (_e970 < _e90);
-                                                if _e971 {
-                                                    if _e971 {
+                                            let _e965 = phi_1018_;
+                                            let _e967 = phi_1040_;
+                                            let _e971 = (bitcast<i32>(_e967.member) != 0i);
+                                            if _e971 {
+                                                let _e972 = ((_e594.member_1 & 268435455u) + _e967.member_1);
+                                                let _e973 = (_e972 < _e92);
+                                                if _e973 {
+                                                    if _e973 {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e975 = global_4.member[_e970].member_1;
-                                                    phi_1056_ = _e975;
+                                                    let _e977 = global_4.member[_e972].member_1;
+                                                    phi_1061_ = _e977;
                                                 } else {
-                                                    phi_1056_ = 4294967295u;
+                                                    phi_1061_ = 4294967295u;
                                                 }
-                                                let _e977 = phi_1056_;
-                                                if (_e970 >= _e90) {
-                                                    phi_1145_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                let _e979 = phi_1061_;
+                                                if (_e972 >= _e92) {
+                                                    phi_1150_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                 } else {
-                                                    if _e971 {
+                                                    if _e973 {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    if (_e524 < 9u) {
+                                                    if (_e526 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e984 = global_4.member[_e970].member[_e524];
-                                                    if (_e528 < 9u) {
+                                                    let _e986 = global_4.member[_e972].member[_e526];
+                                                    if (_e530 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e990 = global_4.member[_e970].member[_e528];
-                                                    if (_e532 < 9u) {
+                                                    let _e992 = global_4.member[_e972].member[_e530];
+                                                    if (_e534 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e996 = global_4.member[_e970].member[_e532];
-                                                    let _e998 = (3u + _e524);
-                                                    if (_e998 < 9u) {
+                                                    let _e998 = global_4.member[_e972].member[_e534];
+                                                    let _e1000 = (3u + _e526);
+                                                    if (_e1000 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1004 = global_4.member[_e970].member[_e998];
-                                                    let _e1005 = (3u + _e528);
-                                                    if (_e1005 < 9u) {
+                                                    let _e1006 = global_4.member[_e972].member[_e1000];
+                                                    let _e1007 = (3u + _e530);
+                                                    if (_e1007 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1011 = global_4.member[_e970].member[_e1005];
-                                                    let _e1012 = (3u + _e532);
-                                                    if (_e1012 < 9u) {
+                                                    let _e1013 = global_4.member[_e972].member[_e1007];
+                                                    let _e1014 = (3u + _e534);
+                                                    if (_e1014 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1018 = global_4.member[_e970].member[_e1012];
-                                                    let _e1020 = (6u + _e524);
-                                                    if (_e1020 < 9u) {
+                                                    let _e1020 = global_4.member[_e972].member[_e1014];
+                                                    let _e1022 = (6u + _e526);
+                                                    if (_e1022 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1026 = global_4.member[_e970].member[_e1020];
-                                                    let _e1027 = (6u + _e528);
-                                                    if (_e1027 < 9u) {
+                                                    let _e1028 = global_4.member[_e972].member[_e1022];
+                                                    let _e1029 = (6u + _e530);
+                                                    if (_e1029 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1033 = global_4.member[_e970].member[_e1027];
-                                                    let _e1034 = (6u + _e532);
-                                                    if (_e1034 < 9u) {
+                                                    let _e1035 = global_4.member[_e972].member[_e1029];
+                                                    let _e1036 = (6u + _e534);
+                                                    if (_e1036 < 9u) {
                                                     } else {
-                                                        phi_3214_ = true;
+                                                        phi_3486_ = true;
                                                         break;
                                                     }
-                                                    let _e1040 = global_4.member[_e970].member[_e1034];
-                                                    phi_1145_ = array<array<f32, 3>, 3>(array<f32, 3>(_e984, _e990, _e996), array<f32, 3>(_e1004, _e1011, _e1018), array<f32, 3>(_e1026, _e1033, _e1040));
+                                                    let _e1042 = global_4.member[_e972].member[_e1036];
+                                                    phi_1150_ = array<array<f32, 3>, 3>(array<f32, 3>(_e986, _e992, _e998), array<f32, 3>(_e1006, _e1013, _e1020), array<f32, 3>(_e1028, _e1035, _e1042));
                                                 }
-                                                let _e1044 = phi_1145_;
-                                                let _e1052 = (_e1044[0][2] - _e446);
-                                                let _e1055 = (((_e1044[0][0] - _e373) * _e470) - (_e1052 * _e398));
-                                                let _e1058 = (((_e1044[0][1] - _e410) * _e470) - (_e1052 * _e434));
-                                                let _e1065 = (_e1044[1][2] - _e446);
-                                                let _e1068 = (((_e1044[1][0] - _e373) * _e470) - (_e1065 * _e398));
-                                                let _e1071 = (((_e1044[1][1] - _e410) * _e470) - (_e1065 * _e434));
-                                                let _e1078 = (_e1044[2][2] - _e446);
-                                                let _e1081 = (((_e1044[2][0] - _e373) * _e470) - (_e1078 * _e398));
-                                                let _e1084 = (((_e1044[2][1] - _e410) * _e470) - (_e1078 * _e434));
-                                                let _e1085 = (_e1081 * _e1071);
-                                                let _e1086 = (_e1084 * _e1068);
-                                                let _e1087 = (_e1055 * _e1084);
-                                                let _e1088 = (_e1058 * _e1081);
-                                                let _e1089 = (_e1068 * _e1058);
-                                                let _e1090 = (_e1071 * _e1055);
-                                                let _e1095 = (((_e1085 >= _e1086) && (_e1087 >= _e1088)) && (_e1089 >= _e1090));
-                                                if (_e1095 || (((_e1085 <= _e1086) && (_e1087 <= _e1088)) && (_e1089 <= _e1090))) {
-                                                    let _e1102 = select(-1f, 1f, _e1095);
-                                                    let _e1104 = ((_e1085 - _e1086) * _e1102);
-                                                    let _e1106 = select(0f, _e1104, (_e1104 > 0f));
-                                                    let _e1108 = ((_e1087 - _e1088) * _e1102);
-                                                    let _e1110 = select(0f, _e1108, (_e1108 > 0f));
-                                                    let _e1112 = ((_e1089 - _e1090) * _e1102);
-                                                    let _e1114 = select(0f, _e1112, (_e1112 > 0f));
-                                                    let _e1116 = ((_e1106 + _e1110) + _e1114);
-                                                    if (_e1116 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1711_ = type_27();
-                                                        phi_1712_ = true;
+                                                let _e1046 = phi_1150_;
+                                                let _e1054 = (_e1046[0][2] - _e448);
+                                                let _e1057 = (((_e1046[0][0] - _e375) * _e472) - (_e1054 * _e400));
+                                                let _e1060 = (((_e1046[0][1] - _e412) * _e472) - (_e1054 * _e436));
+                                                let _e1067 = (_e1046[1][2] - _e448);
+                                                let _e1070 = (((_e1046[1][0] - _e375) * _e472) - (_e1067 * _e400));
+                                                let _e1073 = (((_e1046[1][1] - _e412) * _e472) - (_e1067 * _e436));
+                                                let _e1080 = (_e1046[2][2] - _e448);
+                                                let _e1083 = (((_e1046[2][0] - _e375) * _e472) - (_e1080 * _e400));
+                                                let _e1086 = (((_e1046[2][1] - _e412) * _e472) - (_e1080 * _e436));
+                                                let _e1087 = (_e1083 * _e1073);
+                                                let _e1088 = (_e1086 * _e1070);
+                                                let _e1089 = (_e1057 * _e1086);
+                                                let _e1090 = (_e1060 * _e1083);
+                                                let _e1091 = (_e1070 * _e1060);
+                                                let _e1092 = (_e1073 * _e1057);
+                                                let _e1097 = (((_e1087 >= _e1088) && (_e1089 >= _e1090)) && (_e1091 >= _e1092));
+                                                if (_e1097 || (((_e1087 <= _e1088) && (_e1089 <= _e1090)) && (_e1091 <= _e1092))) {
+                                                    let _e1104 = select(-1f, 1f, _e1097);
+                                                    let _e1106 = ((_e1087 - _e1088) * _e1104);
+                                                    let _e1108 = select(0f, _e1106, (_e1106 > 0f));
+                                                    let _e1110 = ((_e1089 - _e1090) * _e1104);
+                                                    let _e1112 = select(0f, _e1110, (_e1110 > 0f));
+                                                    let _e1114 = ((_e1091 - _e1092) * _e1104);
+                                                    let _e1116 = select(0f, _e1114, (_e1114 > 0f));
+                                                    let _e1118 = ((_e1108 + _e1112) + _e1116);
+                                                    if (_e1118 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_1978_ = type_27();
+                                                        phi_1979_ = true;
+                                                        phi_1980_ = false;
                                                     } else {
-                                                        let _e1119 = select(_e1044[1][0], _e1044[0][0], (_e1044[0][0] < _e1044[1][0]));
-                                                        let _e1123 = select(_e1044[1][0], _e1044[0][0], (_e1044[0][0] > _e1044[1][0]));
-                                                        let _e1127 = select(_e1044[1][1], _e1044[0][1], (_e1044[0][1] < _e1044[1][1]));
-                                                        let _e1131 = select(_e1044[1][1], _e1044[0][1], (_e1044[0][1] > _e1044[1][1]));
-                                                        let _e1135 = select(_e1044[1][2], _e1044[0][2], (_e1044[0][2] < _e1044[1][2]));
-                                                        let _e1139 = select(_e1044[1][2], _e1044[0][2], (_e1044[0][2] > _e1044[1][2]));
-                                                        let _e1144 = ((select(_e1044[2][0], _e1119, (_e1119 < _e1044[2][0])) - _e396) * _e401);
-                                                        let _e1145 = ((select(_e1044[2][0], _e1123, (_e1123 > _e1044[2][0])) - _e397) * _e401);
-                                                        let _e1148 = ((select(_e1044[2][1], _e1127, (_e1127 < _e1044[2][1])) - _e432) * _e437);
-                                                        let _e1149 = ((select(_e1044[2][1], _e1131, (_e1131 > _e1044[2][1])) - _e433) * _e437);
-                                                        let _e1152 = ((select(_e1044[2][2], _e1135, (_e1135 < _e1044[2][2])) - _e468) * _e473);
-                                                        let _e1153 = ((select(_e1044[2][2], _e1139, (_e1139 > _e1044[2][2])) - _e469) * _e473);
-                                                        let _e1155 = select(_e1153, _e1152, (_e1152 < _e1153));
-                                                        let _e1157 = select(_e1153, _e1152, (_e1152 > _e1153));
-                                                        let _e1159 = select(_e1145, _e1144, (_e1144 < _e1145));
-                                                        let _e1161 = select(_e1149, _e1148, (_e1148 < _e1149));
-                                                        let _e1163 = select(_e1161, _e1159, (_e1159 > _e1161));
-                                                        let _e1165 = select(_e1155, _e1163, (_e1163 > _e1155));
-                                                        let _e1167 = select(_e1145, _e1144, (_e1144 > _e1145));
-                                                        let _e1169 = select(_e1149, _e1148, (_e1148 > _e1149));
-                                                        let _e1171 = select(_e1169, _e1167, (_e1167 < _e1169));
-                                                        let _e1173 = select(_e1157, _e1171, (_e1171 < _e1157));
-                                                        let _e1174 = -(_e1155);
-                                                        let _e1180 = select(_e519, _e1165, (_e1165 > _e519));
-                                                        if (_e1180 > (_e1173 + (select(_e1174, _e1157, (_e1157 > _e1174)) * 0.0000019073523f))) {
-                                                            phi_1706_ = type_27();
-                                                            phi_1707_ = true;
+                                                        let _e1121 = select(_e1070, _e1057, (_e1057 < _e1070));
+                                                        if (select(_e1083, _e1121, (_e1121 < _e1083)) > 0f) {
+                                                            phi_1267_ = true;
                                                         } else {
-                                                            let _e1182 = (_e1180 > _e948.member_1);
-                                                            if _e1182 {
-                                                                phi_1705_ = type_27();
+                                                            let _e1126 = select(_e1070, _e1057, (_e1057 > _e1070));
+                                                            phi_1267_ = (select(_e1083, _e1126, (_e1126 > _e1083)) < 0f);
+                                                        }
+                                                        let _e1131 = phi_1267_;
+                                                        if _e1131 {
+                                                            phi_1975_ = type_27();
+                                                            phi_1976_ = true;
+                                                            phi_1977_ = false;
+                                                        } else {
+                                                            let _e1133 = select(_e1073, _e1060, (_e1060 < _e1073));
+                                                            if (select(_e1086, _e1133, (_e1133 < _e1086)) > 0f) {
+                                                                phi_1296_ = true;
                                                             } else {
-                                                                let _e1186 = (_e1044[1][0] - _e1044[0][0]);
-                                                                let _e1187 = (_e1044[1][1] - _e1044[0][1]);
-                                                                let _e1188 = (_e1044[1][2] - _e1044[0][2]);
-                                                                let _e1189 = vec3<f32>(_e1186, _e1187, _e1188);
-                                                                let _e1190 = (_e1044[2][0] - _e1044[1][0]);
-                                                                let _e1191 = (_e1044[2][1] - _e1044[1][1]);
-                                                                let _e1192 = (_e1044[2][2] - _e1044[1][2]);
-                                                                let _e1193 = vec3<f32>(_e1190, _e1191, _e1192);
-                                                                let _e1194 = (_e1044[0][0] - _e1044[2][0]);
-                                                                let _e1195 = (_e1044[0][1] - _e1044[2][1]);
-                                                                let _e1196 = (_e1044[0][2] - _e1044[2][2]);
-                                                                let _e1197 = vec3<f32>(_e1194, _e1195, _e1196);
-                                                                let _e1200 = bitcast<f32>((bitcast<u32>(_e1186) & 2147483647u));
-                                                                let _e1203 = bitcast<f32>((bitcast<u32>(_e1187) & 2147483647u));
-                                                                let _e1205 = select(_e1203, _e1200, (_e1200 > _e1203));
-                                                                let _e1208 = bitcast<f32>((bitcast<u32>(_e1188) & 2147483647u));
-                                                                let _e1210 = select(_e1208, _e1205, (_e1205 > _e1208));
-                                                                let _e1213 = bitcast<f32>((bitcast<u32>(_e1190) & 2147483647u));
-                                                                let _e1216 = bitcast<f32>((bitcast<u32>(_e1191) & 2147483647u));
-                                                                let _e1218 = select(_e1216, _e1213, (_e1213 > _e1216));
-                                                                let _e1221 = bitcast<f32>((bitcast<u32>(_e1192) & 2147483647u));
-                                                                let _e1223 = select(_e1221, _e1218, (_e1218 > _e1221));
-                                                                let _e1226 = bitcast<f32>((bitcast<u32>(_e1194) & 2147483647u));
-                                                                let _e1229 = bitcast<f32>((bitcast<u32>(_e1195) & 2147483647u));
-                                                                let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
-                                                                let _e1234 = bitcast<f32>((bitcast<u32>(_e1196) & 2147483647u));
-                                                                let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
-                                                                let _e1238 = select(_e1223, _e1210, (_e1210 > _e1223));
-                                                                let _e1240 = select(_e1236, _e1238, (_e1238 > _e1236));
-                                                                if (_e1210 == _e1240) {
-                                                                    phi_1616_ = _e1193;
-                                                                    phi_1617_ = _e1197;
+                                                                let _e1138 = select(_e1073, _e1060, (_e1060 > _e1073));
+                                                                phi_1296_ = (select(_e1086, _e1138, (_e1138 > _e1086)) < 0f);
+                                                            }
+                                                            let _e1143 = phi_1296_;
+                                                            if _e1143 {
+                                                                phi_1973_ = type_27();
+                                                                phi_1974_ = false;
+                                                            } else {
+                                                                let _e1145 = select(_e1046[1][0], _e1046[0][0], (_e1046[0][0] < _e1046[1][0]));
+                                                                let _e1149 = select(_e1046[1][0], _e1046[0][0], (_e1046[0][0] > _e1046[1][0]));
+                                                                let _e1153 = select(_e1046[1][1], _e1046[0][1], (_e1046[0][1] < _e1046[1][1]));
+                                                                let _e1157 = select(_e1046[1][1], _e1046[0][1], (_e1046[0][1] > _e1046[1][1]));
+                                                                let _e1161 = select(_e1046[1][2], _e1046[0][2], (_e1046[0][2] < _e1046[1][2]));
+                                                                let _e1165 = select(_e1046[1][2], _e1046[0][2], (_e1046[0][2] > _e1046[1][2]));
+                                                                let _e1170 = ((select(_e1046[2][0], _e1145, (_e1145 < _e1046[2][0])) - _e398) * _e403);
+                                                                let _e1171 = ((select(_e1046[2][0], _e1149, (_e1149 > _e1046[2][0])) - _e399) * _e403);
+                                                                let _e1174 = ((select(_e1046[2][1], _e1153, (_e1153 < _e1046[2][1])) - _e434) * _e439);
+                                                                let _e1175 = ((select(_e1046[2][1], _e1157, (_e1157 > _e1046[2][1])) - _e435) * _e439);
+                                                                let _e1178 = ((select(_e1046[2][2], _e1161, (_e1161 < _e1046[2][2])) - _e470) * _e475);
+                                                                let _e1179 = ((select(_e1046[2][2], _e1165, (_e1165 > _e1046[2][2])) - _e471) * _e475);
+                                                                let _e1181 = select(_e1179, _e1178, (_e1178 < _e1179));
+                                                                let _e1183 = select(_e1179, _e1178, (_e1178 > _e1179));
+                                                                let _e1185 = select(_e1171, _e1170, (_e1170 < _e1171));
+                                                                let _e1187 = select(_e1175, _e1174, (_e1174 < _e1175));
+                                                                let _e1189 = select(_e1187, _e1185, (_e1185 > _e1187));
+                                                                let _e1191 = select(_e1181, _e1189, (_e1189 > _e1181));
+                                                                let _e1193 = select(_e1171, _e1170, (_e1170 > _e1171));
+                                                                let _e1195 = select(_e1175, _e1174, (_e1174 > _e1175));
+                                                                let _e1197 = select(_e1195, _e1193, (_e1193 < _e1195));
+                                                                let _e1199 = select(_e1183, _e1197, (_e1197 < _e1183));
+                                                                let _e1200 = -(_e1181);
+                                                                let _e1206 = select(_e521, _e1191, (_e1191 > _e521));
+                                                                if (_e1206 > (_e1199 + (select(_e1200, _e1183, (_e1183 > _e1200)) * 0.0000019073523f))) {
+                                                                    phi_1968_ = type_27();
+                                                                    phi_1969_ = true;
                                                                 } else {
-                                                                    let _e1243 = vec3((_e1223 == _e1240));
-                                                                    phi_1616_ = select(_e1189, _e1197, _e1243);
-                                                                    phi_1617_ = select(_e1193, _e1189, _e1243);
-                                                                }
-                                                                let _e1247 = phi_1616_;
-                                                                let _e1249 = phi_1617_;
-                                                                let _e1256 = ((_e1247.y * _e1249.z) - (_e1249.y * _e1247.z));
-                                                                let _e1261 = ((_e1247.z * _e1249.x) - (_e1249.z * _e1247.x));
-                                                                let _e1264 = ((_e1247.x * _e1249.y) - (_e1249.x * _e1247.y));
-                                                                if (_e1106 >= _e1110) {
-                                                                    phi_1648_ = select(true, false, (_e1106 >= _e1114));
-                                                                } else {
-                                                                    phi_1648_ = true;
-                                                                }
-                                                                let _e1269 = phi_1648_;
-                                                                if _e1269 {
-                                                                    phi_1657_ = select(vec3<f32>(_e1044[2][0], _e1044[2][1], _e1044[2][2]), vec3<f32>(_e1044[1][0], _e1044[1][1], _e1044[1][2]), vec3((_e1110 >= _e1114)));
-                                                                } else {
-                                                                    phi_1657_ = vec3<f32>(_e1044[0][0], _e1044[0][1], _e1044[0][2]);
-                                                                }
-                                                                let _e1274 = phi_1657_;
-                                                                let _e1291 = ((((_e1256 * (_e1274.x - _e373)) + (_e1261 * (_e1274.y - _e410))) + (_e1264 * (_e1274.z - _e446))) / (((_e1256 * _e398) + (_e1261 * _e434)) + (_e1264 * _e470)));
-                                                                let _e1293 = select(_e1173, _e1291, (_e1291 < _e1173));
-                                                                let _e1295 = select(_e1165, _e1293, (_e1293 > _e1165));
-                                                                if (_e1295 >= _e519) {
-                                                                    let _e1297 = (_e1295 <= _e948.member_1);
-                                                                    if _e1297 {
-                                                                        let _e1298 = (1f / _e1116);
-                                                                        phi_1697_ = type_27(_e1295, (_e1110 * _e1298), (_e1114 * _e1298), _e977);
+                                                                    let _e1208 = (_e1206 > _e950.member_1);
+                                                                    if _e1208 {
+                                                                        phi_1967_ = type_27();
                                                                     } else {
-                                                                        phi_1697_ = type_27();
+                                                                        let _e1209 = vec3<f32>(_e1046[0][0], _e1046[0][1], _e1046[0][2]);
+                                                                        let _e1210 = vec3<f32>(_e1046[1][0], _e1046[1][1], _e1046[1][2]);
+                                                                        let _e1211 = vec3<f32>(_e1046[2][0], _e1046[2][1], _e1046[2][2]);
+                                                                        let _e1212 = (_e1046[1][0] - _e1046[0][0]);
+                                                                        let _e1213 = (_e1046[1][1] - _e1046[0][1]);
+                                                                        let _e1214 = (_e1046[1][2] - _e1046[0][2]);
+                                                                        let _e1215 = vec3<f32>(_e1212, _e1213, _e1214);
+                                                                        let _e1216 = (_e1046[2][0] - _e1046[1][0]);
+                                                                        let _e1217 = (_e1046[2][1] - _e1046[1][1]);
+                                                                        let _e1218 = (_e1046[2][2] - _e1046[1][2]);
+                                                                        let _e1219 = vec3<f32>(_e1216, _e1217, _e1218);
+                                                                        let _e1220 = (_e1046[0][0] - _e1046[2][0]);
+                                                                        let _e1221 = (_e1046[0][1] - _e1046[2][1]);
+                                                                        let _e1222 = (_e1046[0][2] - _e1046[2][2]);
+                                                                        let _e1223 = vec3<f32>(_e1220, _e1221, _e1222);
+                                                                        let _e1226 = bitcast<f32>((bitcast<u32>(_e1212) & 2147483647u));
+                                                                        let _e1229 = bitcast<f32>((bitcast<u32>(_e1213) & 2147483647u));
+                                                                        let _e1231 = select(_e1229, _e1226, (_e1226 > _e1229));
+                                                                        let _e1234 = bitcast<f32>((bitcast<u32>(_e1214) & 2147483647u));
+                                                                        let _e1236 = select(_e1234, _e1231, (_e1231 > _e1234));
+                                                                        let _e1239 = bitcast<f32>((bitcast<u32>(_e1216) & 2147483647u));
+                                                                        let _e1242 = bitcast<f32>((bitcast<u32>(_e1217) & 2147483647u));
+                                                                        let _e1244 = select(_e1242, _e1239, (_e1239 > _e1242));
+                                                                        let _e1247 = bitcast<f32>((bitcast<u32>(_e1218) & 2147483647u));
+                                                                        let _e1249 = select(_e1247, _e1244, (_e1244 > _e1247));
+                                                                        let _e1252 = bitcast<f32>((bitcast<u32>(_e1220) & 2147483647u));
+                                                                        let _e1255 = bitcast<f32>((bitcast<u32>(_e1221) & 2147483647u));
+                                                                        let _e1257 = select(_e1255, _e1252, (_e1252 > _e1255));
+                                                                        let _e1260 = bitcast<f32>((bitcast<u32>(_e1222) & 2147483647u));
+                                                                        let _e1262 = select(_e1260, _e1257, (_e1257 > _e1260));
+                                                                        let _e1264 = select(_e1249, _e1236, (_e1236 > _e1249));
+                                                                        let _e1266 = select(_e1262, _e1264, (_e1264 > _e1262));
+                                                                        if (_e1236 == _e1266) {
+                                                                            phi_1697_ = _e1073;
+                                                                            phi_1698_ = _e1070;
+                                                                            phi_1699_ = _e1060;
+                                                                            phi_1700_ = _e1057;
+                                                                            phi_1701_ = _e1209;
+                                                                            phi_1702_ = _e1223;
+                                                                            phi_1703_ = _e1219;
+                                                                            phi_1704_ = _e1215;
+                                                                        } else {
+                                                                            let _e1268 = (_e1249 == _e1266);
+                                                                            let _e1273 = vec3(_e1268);
+                                                                            phi_1697_ = select(_e1060, _e1086, _e1268);
+                                                                            phi_1698_ = select(_e1057, _e1083, _e1268);
+                                                                            phi_1699_ = select(_e1086, _e1073, _e1268);
+                                                                            phi_1700_ = select(_e1083, _e1070, _e1268);
+                                                                            phi_1701_ = select(_e1211, _e1210, _e1273);
+                                                                            phi_1702_ = select(_e1219, _e1215, _e1273);
+                                                                            phi_1703_ = select(_e1215, _e1223, _e1273);
+                                                                            phi_1704_ = select(_e1223, _e1219, _e1273);
+                                                                        }
+                                                                        let _e1279 = phi_1697_;
+                                                                        let _e1281 = phi_1698_;
+                                                                        let _e1283 = phi_1699_;
+                                                                        let _e1285 = phi_1700_;
+                                                                        let _e1287 = phi_1701_;
+                                                                        let _e1289 = phi_1702_;
+                                                                        let _e1291 = phi_1703_;
+                                                                        let _e1293 = phi_1704_;
+                                                                        let _e1300 = ((_e1291.y * _e1289.z) - (_e1289.y * _e1291.z));
+                                                                        let _e1305 = ((_e1291.z * _e1289.x) - (_e1289.z * _e1291.x));
+                                                                        let _e1308 = ((_e1291.x * _e1289.y) - (_e1289.x * _e1291.y));
+                                                                        if (_e1108 >= _e1112) {
+                                                                            phi_1735_ = select(true, false, (_e1108 >= _e1116));
+                                                                        } else {
+                                                                            phi_1735_ = true;
+                                                                        }
+                                                                        let _e1313 = phi_1735_;
+                                                                        if _e1313 {
+                                                                            phi_1744_ = select(_e1211, _e1210, vec3((_e1112 >= _e1116)));
+                                                                        } else {
+                                                                            phi_1744_ = _e1209;
+                                                                        }
+                                                                        let _e1318 = phi_1744_;
+                                                                        let _e1323 = (((_e1300 * _e400) + (_e1305 * _e436)) + (_e1308 * _e472));
+                                                                        let _e1334 = (((_e1300 * (_e1318.x - _e375)) + (_e1305 * (_e1318.y - _e412))) + (_e1308 * (_e1318.z - _e448)));
+                                                                        let _e1336 = (_e1281 - _e1285);
+                                                                        let _e1337 = (_e1279 - _e1283);
+                                                                        let _e1345 = (-(((_e1285 * _e1336) + (_e1283 * _e1337))) / ((_e1336 * _e1336) + (_e1337 * _e1337)));
+                                                                        let _e1347 = select(1f, _e1345, (_e1345 < 1f));
+                                                                        let _e1349 = select(0f, _e1347, (_e1347 > 0f));
+                                                                        let _e1362 = ((_e1287.x + (_e1293.x * _e1349)) - _e375);
+                                                                        let _e1363 = ((_e1287.y + (_e1293.y * _e1349)) - _e412);
+                                                                        let _e1364 = ((_e1287.z + (_e1293.z * _e1349)) - _e448);
+                                                                        let _e1365 = (_e1364 / _e472);
+                                                                        let _e1377 = bitcast<f32>((bitcast<u32>(_e1362) & 2147483647u));
+                                                                        let _e1380 = bitcast<f32>((bitcast<u32>(_e1363) & 2147483647u));
+                                                                        let _e1382 = select(_e1380, _e1377, (_e1377 > _e1380));
+                                                                        let _e1385 = bitcast<f32>((bitcast<u32>(_e1364) & 2147483647u));
+                                                                        let _e1387 = select(_e1385, _e1382, (_e1382 > _e1385));
+                                                                        let _e1393 = bitcast<f32>((bitcast<u32>(_e1300) & 2147483647u));
+                                                                        let _e1396 = bitcast<f32>((bitcast<u32>(_e1305) & 2147483647u));
+                                                                        let _e1398 = select(_e1396, _e1393, (_e1393 > _e1396));
+                                                                        let _e1401 = bitcast<f32>((bitcast<u32>(_e1308) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1300 * _e1362) + (_e1305 * _e1363)) + (_e1308 * _e1364)) - _e1334)) & 2147483647u)) <= ((0.0000009536743f * select(_e1266, _e1387, (_e1387 > _e1266))) * select(_e1401, _e1398, (_e1398 > _e1401)))) {
+                                                                            let _e1411 = bitcast<f32>((bitcast<u32>(_e1291.x) & 2147483647u));
+                                                                            let _e1414 = bitcast<f32>((bitcast<u32>(_e1291.y) & 2147483647u));
+                                                                            let _e1416 = select(_e1414, _e1411, (_e1411 > _e1414));
+                                                                            let _e1419 = bitcast<f32>((bitcast<u32>(_e1291.z) & 2147483647u));
+                                                                            let _e1425 = bitcast<f32>((bitcast<u32>(_e1289.x) & 2147483647u));
+                                                                            let _e1428 = bitcast<f32>((bitcast<u32>(_e1289.y) & 2147483647u));
+                                                                            let _e1430 = select(_e1428, _e1425, (_e1425 > _e1428));
+                                                                            let _e1433 = bitcast<f32>((bitcast<u32>(_e1289.z) & 2147483647u));
+                                                                            phi_1911_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1323) & 2147483647u)) > ((0.0000038146973f * select(_e1419, _e1416, (_e1416 > _e1419))) * select(_e1433, _e1430, (_e1430 > _e1433)))));
+                                                                        } else {
+                                                                            phi_1911_ = true;
+                                                                        }
+                                                                        let _e1440 = phi_1911_;
+                                                                        if _e1440 {
+                                                                            let _e1451 = ((((_e1300 * (_e1362 - (_e400 * _e1365))) + (_e1305 * (_e1363 - (_e436 * _e1365)))) + (_e1308 * (_e1364 - _e1364))) / _e1323);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1451) & 2147483647u)) <= _e1266) {
+                                                                                phi_1935_ = (_e1365 + _e1451);
+                                                                            } else {
+                                                                                phi_1935_ = _e1365;
+                                                                            }
+                                                                            let _e1458 = phi_1935_;
+                                                                            phi_1936_ = _e1458;
+                                                                        } else {
+                                                                            phi_1936_ = (_e1334 / _e1323);
+                                                                        }
+                                                                        let _e1460 = phi_1936_;
+                                                                        let _e1462 = select(_e1199, _e1460, (_e1460 < _e1199));
+                                                                        let _e1464 = select(_e1191, _e1462, (_e1462 > _e1191));
+                                                                        if (_e1464 >= _e521) {
+                                                                            let _e1466 = (_e1464 <= _e950.member_1);
+                                                                            if _e1466 {
+                                                                                let _e1467 = (1f / _e1118);
+                                                                                phi_1959_ = type_27(_e1464, (_e1112 * _e1467), (_e1116 * _e1467), _e979);
+                                                                            } else {
+                                                                                phi_1959_ = type_27();
+                                                                            }
+                                                                            let _e1472 = phi_1959_;
+                                                                            phi_1961_ = _e1472;
+                                                                            phi_1962_ = select(true, false, _e1466);
+                                                                        } else {
+                                                                            phi_1961_ = type_27();
+                                                                            phi_1962_ = true;
+                                                                        }
+                                                                        let _e1475 = phi_1961_;
+                                                                        let _e1477 = phi_1962_;
+                                                                        if _e1477 {
+                                                                            phi_1966_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_1966_ = _e1475;
+                                                                        }
+                                                                        let _e1479 = phi_1966_;
+                                                                        phi_1967_ = _e1479;
                                                                     }
-                                                                    let _e1303 = phi_1697_;
-                                                                    phi_1699_ = _e1303;
-                                                                    phi_1700_ = select(true, false, _e1297);
-                                                                } else {
-                                                                    phi_1699_ = type_27();
-                                                                    phi_1700_ = true;
+                                                                    let _e1481 = phi_1967_;
+                                                                    phi_1968_ = _e1481;
+                                                                    phi_1969_ = _e1208;
                                                                 }
-                                                                let _e1306 = phi_1699_;
-                                                                let _e1308 = phi_1700_;
-                                                                if _e1308 {
-                                                                    phi_1704_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1704_ = _e1306;
-                                                                }
-                                                                let _e1310 = phi_1704_;
-                                                                phi_1705_ = _e1310;
+                                                                let _e1483 = phi_1968_;
+                                                                let _e1485 = phi_1969_;
+                                                                phi_1973_ = _e1483;
+                                                                phi_1974_ = _e1485;
                                                             }
-                                                            let _e1312 = phi_1705_;
-                                                            phi_1706_ = _e1312;
-                                                            phi_1707_ = _e1182;
+                                                            let _e1487 = phi_1973_;
+                                                            let _e1489 = phi_1974_;
+                                                            phi_1975_ = _e1487;
+                                                            phi_1976_ = _e1143;
+                                                            phi_1977_ = _e1489;
                                                         }
-                                                        let _e1314 = phi_1706_;
-                                                        let _e1316 = phi_1707_;
-                                                        phi_1711_ = _e1314;
-                                                        phi_1712_ = _e1316;
+                                                        let _e1491 = phi_1975_;
+                                                        let _e1493 = phi_1976_;
+                                                        let _e1495 = phi_1977_;
+                                                        phi_1978_ = _e1491;
+                                                        phi_1979_ = _e1493;
+                                                        phi_1980_ = _e1495;
                                                     }
-                                                    let _e1318 = phi_1711_;
-                                                    let _e1320 = phi_1712_;
-                                                    phi_1716_ = _e1318;
-                                                    phi_1717_ = _e1320;
+                                                    let _e1497 = phi_1978_;
+                                                    let _e1499 = phi_1979_;
+                                                    let _e1501 = phi_1980_;
+                                                    phi_1988_ = _e1497;
+                                                    phi_1989_ = select(_e1501, true, _e1499);
                                                 } else {
-                                                    phi_1716_ = type_27();
-                                                    phi_1717_ = true;
+                                                    phi_1988_ = type_27();
+                                                    phi_1989_ = true;
                                                 }
-                                                let _e1322 = phi_1716_;
-                                                let _e1324 = phi_1717_;
-                                                if _e1324 {
-                                                    phi_1721_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1504 = phi_1988_;
+                                                let _e1506 = phi_1989_;
+                                                if _e1506 {
+                                                    phi_1993_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1721_ = _e1322;
+                                                    phi_1993_ = _e1504;
                                                 }
-                                                let _e1326 = phi_1721_;
-                                                if (_e1326.member_3 != 4294967295u) {
-                                                    if (_e977 == _e147) {
-                                                        phi_2050_ = false;
+                                                let _e1508 = phi_1993_;
+                                                if (_e1508.member_3 != 4294967295u) {
+                                                    if (_e979 == _e149) {
+                                                        phi_2322_ = false;
                                                     } else {
-                                                        let _e1330 = (_e977 < arrayLength((&global_5.member)));
-                                                        if _e1330 {
-                                                            if _e1330 {
+                                                        let _e1512 = (_e979 < arrayLength((&global_5.member)));
+                                                        if _e1512 {
+                                                            if _e1512 {
                                                             } else {
-                                                                phi_3214_ = true;
+                                                                phi_3486_ = true;
                                                                 break;
                                                             }
-                                                            let _e1332 = global_5.member[_e977];
-                                                            phi_1744_ = _e1332;
+                                                            let _e1514 = global_5.member[_e979];
+                                                            phi_2016_ = _e1514;
                                                         } else {
-                                                            phi_1744_ = 4294967295u;
+                                                            phi_2016_ = 4294967295u;
                                                         }
-                                                        let _e1334 = phi_1744_;
-                                                        let _e1335 = (_e1334 < arrayLength((&global_6.member)));
-                                                        if _e1335 {
-                                                            if _e1335 {
+                                                        let _e1516 = phi_2016_;
+                                                        let _e1517 = (_e1516 < arrayLength((&global_6.member)));
+                                                        if _e1517 {
+                                                            if _e1517 {
                                                             } else {
-                                                                phi_3214_ = true;
+                                                                phi_3486_ = true;
                                                                 break;
                                                             }
-                                                            let _e1337 = global_6.member[_e1334];
-                                                            phi_1758_ = _e1337;
+                                                            let _e1519 = global_6.member[_e1516];
+                                                            phi_2030_ = _e1519;
                                                         } else {
-                                                            phi_1758_ = 0i;
+                                                            phi_2030_ = 0i;
                                                         }
-                                                        let _e1339 = phi_1758_;
-                                                        let _e1340 = (_e1339 == 0i);
-                                                        if _e1340 {
-                                                            phi_2049_ = true;
+                                                        let _e1521 = phi_2030_;
+                                                        let _e1522 = (_e1521 == 0i);
+                                                        if _e1522 {
+                                                            phi_2321_ = true;
                                                         } else {
-                                                            if _e365 {
-                                                                phi_1779_ = vec3<f32>(_e1044[0][0], _e1044[0][1], _e1044[0][2]);
+                                                            if _e367 {
+                                                                phi_2051_ = vec3<f32>(_e1046[0][0], _e1046[0][1], _e1046[0][2]);
                                                             } else {
-                                                                if (_e341 == 1u) {
-                                                                    phi_1778_ = vec3<f32>(_e1044[0][2], _e1044[0][0], _e1044[0][1]);
+                                                                if (_e343 == 1u) {
+                                                                    phi_2050_ = vec3<f32>(_e1046[0][2], _e1046[0][0], _e1046[0][1]);
                                                                 } else {
-                                                                    phi_1778_ = vec3<f32>(_e1044[0][1], _e1044[0][2], _e1044[0][0]);
+                                                                    phi_2050_ = vec3<f32>(_e1046[0][1], _e1046[0][2], _e1046[0][0]);
                                                                 }
-                                                                let _e1345 = phi_1778_;
-                                                                phi_1779_ = _e1345;
+                                                                let _e1527 = phi_2050_;
+                                                                phi_2051_ = _e1527;
                                                             }
-                                                            let _e1348 = phi_1779_;
-                                                            if _e365 {
-                                                                phi_1796_ = vec3<f32>(_e1044[1][0], _e1044[1][1], _e1044[1][2]);
+                                                            let _e1530 = phi_2051_;
+                                                            if _e367 {
+                                                                phi_2068_ = vec3<f32>(_e1046[1][0], _e1046[1][1], _e1046[1][2]);
                                                             } else {
-                                                                if (_e341 == 1u) {
-                                                                    phi_1795_ = vec3<f32>(_e1044[1][2], _e1044[1][0], _e1044[1][1]);
+                                                                if (_e343 == 1u) {
+                                                                    phi_2067_ = vec3<f32>(_e1046[1][2], _e1046[1][0], _e1046[1][1]);
                                                                 } else {
-                                                                    phi_1795_ = vec3<f32>(_e1044[1][1], _e1044[1][2], _e1044[1][0]);
+                                                                    phi_2067_ = vec3<f32>(_e1046[1][1], _e1046[1][2], _e1046[1][0]);
                                                                 }
-                                                                let _e1353 = phi_1795_;
-                                                                phi_1796_ = _e1353;
+                                                                let _e1535 = phi_2067_;
+                                                                phi_2068_ = _e1535;
                                                             }
-                                                            let _e1356 = phi_1796_;
-                                                            if _e365 {
-                                                                phi_1813_ = vec3<f32>(_e1044[2][0], _e1044[2][1], _e1044[2][2]);
+                                                            let _e1538 = phi_2068_;
+                                                            if _e367 {
+                                                                phi_2085_ = vec3<f32>(_e1046[2][0], _e1046[2][1], _e1046[2][2]);
                                                             } else {
-                                                                if (_e341 == 1u) {
-                                                                    phi_1812_ = vec3<f32>(_e1044[2][2], _e1044[2][0], _e1044[2][1]);
+                                                                if (_e343 == 1u) {
+                                                                    phi_2084_ = vec3<f32>(_e1046[2][2], _e1046[2][0], _e1046[2][1]);
                                                                 } else {
-                                                                    phi_1812_ = vec3<f32>(_e1044[2][1], _e1044[2][2], _e1044[2][0]);
+                                                                    phi_2084_ = vec3<f32>(_e1046[2][1], _e1046[2][2], _e1046[2][0]);
                                                                 }
-                                                                let _e1361 = phi_1812_;
-                                                                phi_1813_ = _e1361;
+                                                                let _e1543 = phi_2084_;
+                                                                phi_2085_ = _e1543;
                                                             }
-                                                            let _e1364 = phi_1813_;
-                                                            let _e1367 = (_e1356.x - _e1348.x);
-                                                            let _e1370 = (_e1356.y - _e1348.y);
-                                                            let _e1373 = (_e1356.z - _e1348.z);
-                                                            let _e1375 = (_e1364.x - _e1348.x);
-                                                            let _e1377 = (_e1364.y - _e1348.y);
-                                                            let _e1379 = (_e1364.z - _e1348.z);
-                                                            if (_e219.member_1 == 1u) {
-                                                                phi_1849_ = (vec3<f32>(_e219.member[0], _e219.member[1], _e219.member[2]) - _e1348);
+                                                            let _e1546 = phi_2085_;
+                                                            let _e1549 = (_e1538.x - _e1530.x);
+                                                            let _e1552 = (_e1538.y - _e1530.y);
+                                                            let _e1555 = (_e1538.z - _e1530.z);
+                                                            let _e1557 = (_e1546.x - _e1530.x);
+                                                            let _e1559 = (_e1546.y - _e1530.y);
+                                                            let _e1561 = (_e1546.z - _e1530.z);
+                                                            if (_e221.member_1 == 1u) {
+                                                                phi_2121_ = (vec3<f32>(_e221.member[0], _e221.member[1], _e221.member[2]) - _e1530);
                                                             } else {
-                                                                phi_1849_ = vec3<f32>(_e219.member[0], _e219.member[1], _e219.member[2]);
+                                                                phi_2121_ = vec3<f32>(_e221.member[0], _e221.member[1], _e221.member[2]);
                                                             }
-                                                            let _e1394 = phi_1849_;
-                                                            let _e1400 = bitcast<f32>((bitcast<u32>((_e1367 * _e1377)) ^ _e219.member_3[0]));
-                                                            let _e1404 = bitcast<f32>((bitcast<u32>((_e1370 * _e1375)) ^ _e219.member_3[0]));
-                                                            let _e1408 = bitcast<f32>((bitcast<u32>((_e1370 * _e1379)) ^ _e219.member_3[0]));
-                                                            let _e1412 = bitcast<f32>((bitcast<u32>((_e1373 * _e1377)) ^ _e219.member_3[0]));
-                                                            let _e1416 = bitcast<f32>((bitcast<u32>((_e1373 * _e1375)) ^ _e219.member_3[0]));
-                                                            let _e1420 = bitcast<f32>((bitcast<u32>((_e1367 * _e1379)) ^ _e219.member_3[0]));
-                                                            let _e1421 = (_e1408 - _e1412);
-                                                            let _e1422 = (_e1416 - _e1420);
-                                                            let _e1423 = (_e1400 - _e1404);
-                                                            let _e1447 = (bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1412) & 2147483647u)));
-                                                            let _e1454 = (bitcast<f32>((bitcast<u32>(_e1416) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1420) & 2147483647u)));
-                                                            let _e1461 = (bitcast<f32>((bitcast<u32>(_e1400) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1404) & 2147483647u)));
-                                                            if (_e219.member_2 == 0f) {
-                                                                phi_2031_ = 0f;
+                                                            let _e1576 = phi_2121_;
+                                                            let _e1582 = bitcast<f32>((bitcast<u32>((_e1549 * _e1559)) ^ _e221.member_3[0]));
+                                                            let _e1586 = bitcast<f32>((bitcast<u32>((_e1552 * _e1557)) ^ _e221.member_3[0]));
+                                                            let _e1590 = bitcast<f32>((bitcast<u32>((_e1552 * _e1561)) ^ _e221.member_3[0]));
+                                                            let _e1594 = bitcast<f32>((bitcast<u32>((_e1555 * _e1559)) ^ _e221.member_3[0]));
+                                                            let _e1598 = bitcast<f32>((bitcast<u32>((_e1555 * _e1557)) ^ _e221.member_3[0]));
+                                                            let _e1602 = bitcast<f32>((bitcast<u32>((_e1549 * _e1561)) ^ _e221.member_3[0]));
+                                                            let _e1603 = (_e1590 - _e1594);
+                                                            let _e1604 = (_e1598 - _e1602);
+                                                            let _e1605 = (_e1582 - _e1586);
+                                                            let _e1629 = (bitcast<f32>((bitcast<u32>(_e1590) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1594) & 2147483647u)));
+                                                            let _e1636 = (bitcast<f32>((bitcast<u32>(_e1598) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1602) & 2147483647u)));
+                                                            let _e1643 = (bitcast<f32>((bitcast<u32>(_e1582) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1586) & 2147483647u)));
+                                                            if (_e221.member_2 == 0f) {
+                                                                phi_2303_ = 0f;
                                                             } else {
-                                                                let _e1491 = bitcast<f32>((bitcast<u32>(_e1421) & 2147483647u));
-                                                                let _e1494 = bitcast<f32>((bitcast<u32>(_e1422) & 2147483647u));
-                                                                let _e1497 = bitcast<f32>((bitcast<u32>(_e1423) & 2147483647u));
-                                                                let _e1499 = select(_e1497, _e1494, (_e1494 > _e1497));
-                                                                let _e1503 = select(_e1497, _e1494, (_e1494 < _e1497));
-                                                                let _e1507 = select(_e1494, _e1491, (_e1491 < _e1494));
-                                                                let _e1509 = select(_e1494, _e1491, (_e1491 > _e1494));
-                                                                let _e1511 = select(_e1497, _e1509, (_e1509 < _e1497));
-                                                                phi_2031_ = bitcast<f32>((bitcast<u32>((_e219.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1499, _e1491, (_e1491 > _e1499)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1511, _e1507, (_e1507 > _e1511)))) ^ _e219.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1503, _e1491, (_e1491 < _e1503)))) ^ _e219.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1447 + _e1454) + _e1461))) ^ _e219.member_3[0]))) * 1.0000005f)) ^ _e219.member_3[0])))) ^ _e219.member_3[0]));
+                                                                let _e1673 = bitcast<f32>((bitcast<u32>(_e1603) & 2147483647u));
+                                                                let _e1676 = bitcast<f32>((bitcast<u32>(_e1604) & 2147483647u));
+                                                                let _e1679 = bitcast<f32>((bitcast<u32>(_e1605) & 2147483647u));
+                                                                let _e1681 = select(_e1679, _e1676, (_e1676 > _e1679));
+                                                                let _e1685 = select(_e1679, _e1676, (_e1676 < _e1679));
+                                                                let _e1689 = select(_e1676, _e1673, (_e1673 < _e1676));
+                                                                let _e1691 = select(_e1676, _e1673, (_e1673 > _e1676));
+                                                                let _e1693 = select(_e1679, _e1691, (_e1691 < _e1679));
+                                                                phi_2303_ = bitcast<f32>((bitcast<u32>((_e221.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1681, _e1673, (_e1673 > _e1681)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1693, _e1689, (_e1689 > _e1693)))) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1685, _e1673, (_e1673 < _e1685)))) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1629 + _e1636) + _e1643))) ^ _e221.member_3[0]))) * 1.0000005f)) ^ _e221.member_3[0])))) ^ _e221.member_3[0]));
                                                             }
-                                                            let _e1538 = phi_2031_;
-                                                            phi_2049_ = (_e1340 || !(((((bitcast<f32>((bitcast<u32>((_e1394.x * _e1421)) ^ _e219.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1394.y * _e1422)) ^ _e219.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1394.z * _e1423)) ^ _e219.member_3[0]))) * f32(-(_e1339))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1394.x) & 2147483647u)) * _e1447)) ^ _e219.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1394.y) & 2147483647u)) * _e1454)) ^ _e219.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1394.z) & 2147483647u)) * _e1461)) ^ _e219.member_3[0]))))) ^ _e219.member_3[0])) + _e1538) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1720 = phi_2303_;
+                                                            phi_2321_ = (_e1522 || !(((((bitcast<f32>((bitcast<u32>((_e1576.x * _e1603)) ^ _e221.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1576.y * _e1604)) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1576.z * _e1605)) ^ _e221.member_3[0]))) * f32(-(_e1521))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1576.x) & 2147483647u)) * _e1629)) ^ _e221.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1576.y) & 2147483647u)) * _e1636)) ^ _e221.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1576.z) & 2147483647u)) * _e1643)) ^ _e221.member_3[0]))))) ^ _e221.member_3[0])) + _e1720) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1552 = phi_2049_;
-                                                        phi_2050_ = _e1552;
+                                                        let _e1734 = phi_2321_;
+                                                        phi_2322_ = _e1734;
                                                     }
-                                                    let _e1554 = phi_2050_;
-                                                    if _e1554 {
-                                                        if (_e1326.member < _e948.member.member) {
-                                                            phi_2070_ = true;
+                                                    let _e1736 = phi_2322_;
+                                                    if _e1736 {
+                                                        if (_e1508.member < _e950.member.member) {
+                                                            phi_2342_ = true;
                                                         } else {
-                                                            if (_e1326.member == _e948.member.member) {
-                                                                phi_2069_ = (_e1326.member_3 < _e948.member.member_3);
+                                                            if (_e1508.member == _e950.member.member) {
+                                                                phi_2341_ = (_e1508.member_3 < _e950.member.member_3);
                                                             } else {
-                                                                phi_2069_ = false;
+                                                                phi_2341_ = false;
                                                             }
-                                                            let _e1564 = phi_2069_;
-                                                            phi_2070_ = _e1564;
+                                                            let _e1746 = phi_2341_;
+                                                            phi_2342_ = _e1746;
                                                         }
-                                                        let _e1566 = phi_2070_;
-                                                        if _e1566 {
-                                                            phi_2076_ = type_43(_e1326, _e1326.member);
+                                                        let _e1748 = phi_2342_;
+                                                        if _e1748 {
+                                                            phi_2348_ = type_43(_e1508, _e1508.member);
                                                         } else {
-                                                            phi_2076_ = _e948;
+                                                            phi_2348_ = _e950;
                                                         }
-                                                        let _e1569 = phi_2076_;
-                                                        phi_2077_ = _e1569;
+                                                        let _e1751 = phi_2348_;
+                                                        phi_2349_ = _e1751;
                                                     } else {
-                                                        phi_2077_ = _e948;
+                                                        phi_2349_ = _e950;
                                                     }
-                                                    let _e1571 = phi_2077_;
-                                                    phi_2078_ = _e1571;
+                                                    let _e1753 = phi_2349_;
+                                                    phi_2350_ = _e1753;
                                                 } else {
-                                                    phi_2078_ = _e948;
+                                                    phi_2350_ = _e950;
                                                 }
-                                                let _e1573 = phi_2078_;
-                                                phi_1010_ = _e1573;
+                                                let _e1755 = phi_2350_;
+                                                phi_1015_ = _e1755;
                                             } else {
-                                                phi_1010_ = type_43();
+                                                phi_1015_ = type_43();
                                             }
-                                            let _e1575 = phi_1010_;
+                                            let _e1757 = phi_1015_;
                                             continue;
                                             continuing {
-                                                phi_1009_ = _e1575;
-                                                phi_1012_ = _e963;
-                                                phi_3214_ = _e551;
-                                                break if !(_e969);
+                                                phi_1014_ = _e1757;
+                                                phi_1017_ = _e965;
+                                                phi_3486_ = _e553;
+                                                break if !(_e971);
                                             }
                                         }
-                                        let _e1578 = phi_3214_;
-                                        phi_3352_ = _e1578;
-                                        if _e1578 {
+                                        let _e1760 = phi_3486_;
+                                        phi_3652_ = _e1760;
+                                        if _e1760 {
                                             break;
                                         }
-                                        phi_3356_ = _e1578;
-                                        let _e1786 = local_11;
-                                        phi_3027_ = _e1786;
-                                        phi_3028_ = _e592;
-                                        phi_3029_ = false;
-                                        phi_3030_ = _e596;
+                                        phi_3656_ = _e1760;
+                                        let _e1985 = local_11;
+                                        phi_3299_ = _e1985;
+                                        phi_3300_ = _e594;
+                                        phi_3301_ = false;
+                                        phi_3302_ = _e598;
                                     } else {
-                                        let _e605 = (_e592.member_1 < _e88);
-                                        if _e605 {
-                                            if _e605 {
+                                        let _e607 = (_e594.member_1 < _e90);
+                                        if _e607 {
+                                            if _e607 {
                                             } else {
-                                                phi_3352_ = true;
+                                                phi_3652_ = true;
                                                 break;
                                             }
-                                            let _e607 = global_10.member[_e592.member_1];
-                                            phi_2097_ = _e607;
+                                            let _e609 = global_10.member[_e594.member_1];
+                                            phi_2369_ = _e609;
                                         } else {
-                                            phi_2097_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2369_ = type_54(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e609 = phi_2097_;
-                                        let _e624 = ((10u * _e341) & 31u);
-                                        let _e627 = ((_e609.member[0] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e632 = bitcast<f32>((bitcast<u32>(((_e592.member.member_1[0] - _e592.member.member[0]) * 0.0009775171f)) ^ _e130));
-                                        let _e638 = (_e592.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e627) * _e632)) ^ _e130)));
-                                        let _e642 = select(select(_e592.member.member_1[0], _e638, (_e638 < _e592.member.member_1[0])), _e592.member.member_1[0], (_e627 == 1023u));
-                                        let _e644 = ((10u * _e340) & 31u);
-                                        let _e647 = ((_e609.member[0] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e652 = bitcast<f32>((bitcast<u32>(((_e592.member.member_1[1] - _e592.member.member[1]) * 0.0009775171f)) ^ _e130));
-                                        let _e658 = (_e592.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e647) * _e652)) ^ _e130)));
-                                        let _e662 = select(select(_e592.member.member_1[1], _e658, (_e658 < _e592.member.member_1[1])), _e592.member.member_1[1], (_e647 == 1023u));
-                                        let _e664 = ((10u * _e342) & 31u);
-                                        let _e667 = ((_e609.member[0] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e672 = bitcast<f32>((bitcast<u32>(((_e592.member.member_1[2] - _e592.member.member[2]) * 0.0009775171f)) ^ _e130));
-                                        let _e678 = (_e592.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e667) * _e672)) ^ _e130)));
-                                        let _e682 = select(select(_e592.member.member_1[2], _e678, (_e678 < _e592.member.member_1[2])), _e592.member.member_1[2], (_e667 == 1023u));
-                                        let _e685 = ((_e609.member[1] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e691 = (_e592.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e685) * _e632)) ^ _e130)));
-                                        let _e695 = select(select(_e592.member.member_1[0], _e691, (_e691 < _e592.member.member_1[0])), _e592.member.member_1[0], (_e685 == 1023u));
-                                        let _e698 = ((_e609.member[1] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e704 = (_e592.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e698) * _e652)) ^ _e130)));
-                                        let _e708 = select(select(_e592.member.member_1[1], _e704, (_e704 < _e592.member.member_1[1])), _e592.member.member_1[1], (_e698 == 1023u));
-                                        let _e711 = ((_e609.member[1] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e717 = (_e592.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e711) * _e672)) ^ _e130)));
-                                        let _e721 = select(select(_e592.member.member_1[2], _e717, (_e717 < _e592.member.member_1[2])), _e592.member.member_1[2], (_e711 == 1023u));
-                                        let _e727 = ((_e609.member_1[0] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e733 = (_e592.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e727) * _e632)) ^ _e130)));
-                                        let _e737 = select(select(_e592.member.member_1[0], _e733, (_e733 < _e592.member.member_1[0])), _e592.member.member_1[0], (_e727 == 1023u));
-                                        let _e740 = ((_e609.member_1[0] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e746 = (_e592.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e740) * _e652)) ^ _e130)));
-                                        let _e750 = select(select(_e592.member.member_1[1], _e746, (_e746 < _e592.member.member_1[1])), _e592.member.member_1[1], (_e740 == 1023u));
-                                        let _e753 = ((_e609.member_1[0] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e759 = (_e592.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e753) * _e672)) ^ _e130)));
-                                        let _e763 = select(select(_e592.member.member_1[2], _e759, (_e759 < _e592.member.member_1[2])), _e592.member.member_1[2], (_e753 == 1023u));
-                                        let _e766 = ((_e609.member_1[1] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e772 = (_e592.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e766) * _e632)) ^ _e130)));
-                                        let _e776 = select(select(_e592.member.member_1[0], _e772, (_e772 < _e592.member.member_1[0])), _e592.member.member_1[0], (_e766 == 1023u));
-                                        let _e779 = ((_e609.member_1[1] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e785 = (_e592.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e779) * _e652)) ^ _e130)));
-                                        let _e789 = select(select(_e592.member.member_1[1], _e785, (_e785 < _e592.member.member_1[1])), _e592.member.member_1[1], (_e779 == 1023u));
-                                        let _e792 = ((_e609.member_1[1] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e798 = (_e592.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e792) * _e672)) ^ _e130)));
-                                        let _e802 = select(select(_e592.member.member_1[2], _e798, (_e798 < _e592.member.member_1[2])), _e592.member.member_1[2], (_e792 == 1023u));
-                                        let _e807 = type_61(type_59(array<f32, 3>(_e642, _e662, _e682), array<f32, 3>(_e695, _e708, _e721)), _e609.member_2);
-                                        let _e812 = type_61(type_59(array<f32, 3>(_e737, _e750, _e763), array<f32, 3>(_e776, _e789, _e802)), _e609.member_3);
-                                        let _e818 = ((_e642 - _e396) * _e401);
-                                        let _e819 = ((_e737 - _e396) * _e401);
-                                        let _e820 = ((_e695 - _e397) * _e401);
-                                        let _e821 = ((_e776 - _e397) * _e401);
-                                        let _e826 = ((_e662 - _e432) * _e437);
-                                        let _e827 = ((_e750 - _e432) * _e437);
-                                        let _e828 = ((_e708 - _e433) * _e437);
-                                        let _e829 = ((_e789 - _e433) * _e437);
-                                        let _e834 = ((_e682 - _e468) * _e473);
-                                        let _e835 = ((_e763 - _e468) * _e473);
-                                        let _e836 = ((_e721 - _e469) * _e473);
-                                        let _e837 = ((_e802 - _e469) * _e473);
-                                        let _e839 = select(_e836, _e834, (_e834 < _e836));
-                                        let _e841 = select(_e837, _e835, (_e835 < _e837));
-                                        let _e843 = select(_e836, _e834, (_e834 > _e836));
-                                        let _e845 = select(_e837, _e835, (_e835 > _e837));
-                                        let _e847 = select(_e820, _e818, (_e818 < _e820));
-                                        let _e849 = select(_e821, _e819, (_e819 < _e821));
-                                        let _e851 = select(_e828, _e826, (_e826 < _e828));
-                                        let _e853 = select(_e829, _e827, (_e827 < _e829));
-                                        let _e855 = select(_e851, _e847, (_e847 > _e851));
+                                        let _e611 = phi_2369_;
+                                        let _e626 = ((10u * _e343) & 31u);
+                                        let _e629 = ((_e611.member[0] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e634 = bitcast<f32>((bitcast<u32>(((_e594.member.member_1[0] - _e594.member.member[0]) * 0.0009775171f)) ^ _e132));
+                                        let _e640 = (_e594.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e629) * _e634)) ^ _e132)));
+                                        let _e644 = select(select(_e594.member.member_1[0], _e640, (_e640 < _e594.member.member_1[0])), _e594.member.member_1[0], (_e629 == 1023u));
+                                        let _e646 = ((10u * _e342) & 31u);
+                                        let _e649 = ((_e611.member[0] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e654 = bitcast<f32>((bitcast<u32>(((_e594.member.member_1[1] - _e594.member.member[1]) * 0.0009775171f)) ^ _e132));
+                                        let _e660 = (_e594.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e654)) ^ _e132)));
+                                        let _e664 = select(select(_e594.member.member_1[1], _e660, (_e660 < _e594.member.member_1[1])), _e594.member.member_1[1], (_e649 == 1023u));
+                                        let _e666 = ((10u * _e344) & 31u);
+                                        let _e669 = ((_e611.member[0] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e674 = bitcast<f32>((bitcast<u32>(((_e594.member.member_1[2] - _e594.member.member[2]) * 0.0009775171f)) ^ _e132));
+                                        let _e680 = (_e594.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e669) * _e674)) ^ _e132)));
+                                        let _e684 = select(select(_e594.member.member_1[2], _e680, (_e680 < _e594.member.member_1[2])), _e594.member.member_1[2], (_e669 == 1023u));
+                                        let _e687 = ((_e611.member[1] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e693 = (_e594.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e687) * _e634)) ^ _e132)));
+                                        let _e697 = select(select(_e594.member.member_1[0], _e693, (_e693 < _e594.member.member_1[0])), _e594.member.member_1[0], (_e687 == 1023u));
+                                        let _e700 = ((_e611.member[1] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e706 = (_e594.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e700) * _e654)) ^ _e132)));
+                                        let _e710 = select(select(_e594.member.member_1[1], _e706, (_e706 < _e594.member.member_1[1])), _e594.member.member_1[1], (_e700 == 1023u));
+                                        let _e713 = ((_e611.member[1] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e719 = (_e594.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e713) * _e674)) ^ _e132)));
+                                        let _e723 = select(select(_e594.member.member_1[2], _e719, (_e719 < _e594.member.member_1[2])), _e594.member.member_1[2], (_e713 == 1023u));
+                                        let _e729 = ((_e611.member_1[0] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e735 = (_e594.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e729) * _e634)) ^ _e132)));
+                                        let _e739 = select(select(_e594.member.member_1[0], _e735, (_e735 < _e594.member.member_1[0])), _e594.member.member_1[0], (_e729 == 1023u));
+                                        let _e742 = ((_e611.member_1[0] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e748 = (_e594.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e742) * _e654)) ^ _e132)));
+                                        let _e752 = select(select(_e594.member.member_1[1], _e748, (_e748 < _e594.member.member_1[1])), _e594.member.member_1[1], (_e742 == 1023u));
+                                        let _e755 = ((_e611.member_1[0] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e761 = (_e594.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e755) * _e674)) ^ _e132)));
+                                        let _e765 = select(select(_e594.member.member_1[2], _e761, (_e761 < _e594.member.member_1[2])), _e594.member.member_1[2], (_e755 == 1023u));
+                                        let _e768 = ((_e611.member_1[1] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e774 = (_e594.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e768) * _e634)) ^ _e132)));
+                                        let _e778 = select(select(_e594.member.member_1[0], _e774, (_e774 < _e594.member.member_1[0])), _e594.member.member_1[0], (_e768 == 1023u));
+                                        let _e781 = ((_e611.member_1[1] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e787 = (_e594.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e781) * _e654)) ^ _e132)));
+                                        let _e791 = select(select(_e594.member.member_1[1], _e787, (_e787 < _e594.member.member_1[1])), _e594.member.member_1[1], (_e781 == 1023u));
+                                        let _e794 = ((_e611.member_1[1] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e800 = (_e594.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e794) * _e674)) ^ _e132)));
+                                        let _e804 = select(select(_e594.member.member_1[2], _e800, (_e800 < _e594.member.member_1[2])), _e594.member.member_1[2], (_e794 == 1023u));
+                                        let _e809 = type_61(type_59(array<f32, 3>(_e644, _e664, _e684), array<f32, 3>(_e697, _e710, _e723)), _e611.member_2);
+                                        let _e814 = type_61(type_59(array<f32, 3>(_e739, _e752, _e765), array<f32, 3>(_e778, _e791, _e804)), _e611.member_3);
+                                        let _e820 = ((_e644 - _e398) * _e403);
+                                        let _e821 = ((_e739 - _e398) * _e403);
+                                        let _e822 = ((_e697 - _e399) * _e403);
+                                        let _e823 = ((_e778 - _e399) * _e403);
+                                        let _e828 = ((_e664 - _e434) * _e439);
+                                        let _e829 = ((_e752 - _e434) * _e439);
+                                        let _e830 = ((_e710 - _e435) * _e439);
+                                        let _e831 = ((_e791 - _e435) * _e439);
+                                        let _e836 = ((_e684 - _e470) * _e475);
+                                        let _e837 = ((_e765 - _e470) * _e475);
+                                        let _e838 = ((_e723 - _e471) * _e475);
+                                        let _e839 = ((_e804 - _e471) * _e475);
+                                        let _e841 = select(_e838, _e836, (_e836 < _e838));
+                                        let _e843 = select(_e839, _e837, (_e837 < _e839));
+                                        let _e845 = select(_e838, _e836, (_e836 > _e838));
+                                        let _e847 = select(_e839, _e837, (_e837 > _e839));
+                                        let _e849 = select(_e822, _e820, (_e820 < _e822));
+                                        let _e851 = select(_e823, _e821, (_e821 < _e823));
+                                        let _e853 = select(_e830, _e828, (_e828 < _e830));
+                                        let _e855 = select(_e831, _e829, (_e829 < _e831));
                                         let _e857 = select(_e853, _e849, (_e849 > _e853));
-                                        let _e859 = select(_e839, _e855, (_e855 > _e839));
+                                        let _e859 = select(_e855, _e851, (_e851 > _e855));
                                         let _e861 = select(_e841, _e857, (_e857 > _e841));
-                                        let _e863 = select(_e820, _e818, (_e818 > _e820));
-                                        let _e865 = select(_e821, _e819, (_e819 > _e821));
-                                        let _e867 = select(_e828, _e826, (_e826 > _e828));
-                                        let _e869 = select(_e829, _e827, (_e827 > _e829));
-                                        let _e871 = select(_e867, _e863, (_e863 < _e867));
+                                        let _e863 = select(_e843, _e859, (_e859 > _e843));
+                                        let _e865 = select(_e822, _e820, (_e820 > _e822));
+                                        let _e867 = select(_e823, _e821, (_e821 > _e823));
+                                        let _e869 = select(_e830, _e828, (_e828 > _e830));
+                                        let _e871 = select(_e831, _e829, (_e829 > _e831));
                                         let _e873 = select(_e869, _e865, (_e865 < _e869));
-                                        let _e878 = -(_e839);
-                                        let _e879 = -(_e841);
-                                        let _e886 = (select(_e843, _e871, (_e871 < _e843)) + (select(_e878, _e843, (_e843 > _e878)) * 0.0000019073523f));
-                                        let _e887 = (select(_e845, _e873, (_e873 < _e845)) + (select(_e879, _e845, (_e845 > _e879)) * 0.0000019073523f));
-                                        let _e889 = select(_e519, _e859, (_e859 > _e519));
-                                        let _e891 = select(_e519, _e861, (_e861 > _e519));
-                                        let _e896 = (_e889 <= select(_e553.member_1, _e886, (_e886 < _e553.member_1)));
-                                        let _e897 = (_e891 <= select(_e553.member_1, _e887, (_e887 < _e553.member_1)));
-                                        let _e898 = (_e889 <= _e891);
-                                        if _e896 {
-                                            if _e897 {
-                                                if _e898 {
-                                                    phi_2929_ = _e812;
+                                        let _e875 = select(_e871, _e867, (_e867 < _e871));
+                                        let _e880 = -(_e841);
+                                        let _e881 = -(_e843);
+                                        let _e888 = (select(_e845, _e873, (_e873 < _e845)) + (select(_e880, _e845, (_e845 > _e880)) * 0.0000019073523f));
+                                        let _e889 = (select(_e847, _e875, (_e875 < _e847)) + (select(_e881, _e847, (_e847 > _e881)) * 0.0000019073523f));
+                                        let _e891 = select(_e521, _e861, (_e861 > _e521));
+                                        let _e893 = select(_e521, _e863, (_e863 > _e521));
+                                        let _e898 = (_e891 <= select(_e555.member_1, _e888, (_e888 < _e555.member_1)));
+                                        let _e899 = (_e893 <= select(_e555.member_1, _e889, (_e889 < _e555.member_1)));
+                                        let _e900 = (_e891 <= _e893);
+                                        if _e898 {
+                                            if _e899 {
+                                                if _e900 {
+                                                    phi_3201_ = _e814;
                                                 } else {
-                                                    phi_2929_ = _e807;
+                                                    phi_3201_ = _e809;
                                                 }
-                                                let _e900 = phi_2929_;
-                                                let _e908 = (_e596 % 128u);
-                                                let _e909 = (_e908 < 128u);
-                                                if _e909 {
+                                                let _e902 = phi_3201_;
+                                                let _e910 = (_e598 % 128u);
+                                                let _e911 = (_e910 < 128u);
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_6[_e908] = _e900.member_1;
-                                                if _e909 {
+                                                local_6[_e910] = _e902.member_1;
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_5[_e908] = _e900.member.member[0];
-                                                if _e909 {
+                                                local_5[_e910] = _e902.member.member[0];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_4[_e908] = _e900.member.member[1];
-                                                if _e909 {
+                                                local_4[_e910] = _e902.member.member[1];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_3[_e908] = _e900.member.member[2];
-                                                if _e909 {
+                                                local_3[_e910] = _e902.member.member[2];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_2[_e908] = _e900.member.member_1[0];
-                                                if _e909 {
+                                                local_2[_e910] = _e902.member.member_1[0];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_1[_e908] = _e900.member.member_1[1];
-                                                if _e909 {
+                                                local_1[_e910] = _e902.member.member_1[1];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local[_e908] = _e900.member.member_1[2];
-                                                if _e909 {
+                                                local[_e910] = _e902.member.member_1[2];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3352_ = true;
+                                                    phi_3652_ = true;
                                                     break;
                                                 }
-                                                local_7[_e908] = select(_e891, _e889, (_e889 > _e891));
-                                                if _e898 {
-                                                    phi_3006_ = _e807;
+                                                local_7[_e910] = select(_e893, _e891, (_e891 > _e893));
+                                                if _e900 {
+                                                    phi_3278_ = _e809;
                                                 } else {
-                                                    phi_3006_ = _e812;
+                                                    phi_3278_ = _e814;
                                                 }
-                                                let _e926 = phi_3006_;
-                                                phi_3007_ = _e926;
-                                                phi_3008_ = (_e596 + 1u);
+                                                let _e928 = phi_3278_;
+                                                phi_3279_ = _e928;
+                                                phi_3280_ = (_e598 + 1u);
                                             } else {
-                                                phi_3007_ = type_61();
-                                                phi_3008_ = u32();
+                                                phi_3279_ = type_61();
+                                                phi_3280_ = u32();
                                             }
-                                            let _e928 = phi_3007_;
-                                            let _e930 = phi_3008_;
-                                            phi_3010_ = _e928;
-                                            phi_3011_ = _e930;
-                                            phi_3012_ = select(true, false, _e897);
+                                            let _e930 = phi_3279_;
+                                            let _e932 = phi_3280_;
+                                            phi_3282_ = _e930;
+                                            phi_3283_ = _e932;
+                                            phi_3284_ = select(true, false, _e899);
                                         } else {
-                                            phi_3010_ = type_61();
-                                            phi_3011_ = u32();
-                                            phi_3012_ = true;
+                                            phi_3282_ = type_61();
+                                            phi_3283_ = u32();
+                                            phi_3284_ = true;
                                         }
-                                        let _e933 = phi_3010_;
-                                        let _e935 = phi_3011_;
-                                        let _e937 = phi_3012_;
-                                        if _e937 {
-                                            if _e896 {
-                                                phi_3019_ = _e807;
+                                        let _e935 = phi_3282_;
+                                        let _e937 = phi_3283_;
+                                        let _e939 = phi_3284_;
+                                        if _e939 {
+                                            if _e898 {
+                                                phi_3291_ = _e809;
                                             } else {
-                                                phi_3019_ = _e812;
+                                                phi_3291_ = _e814;
                                             }
-                                            let _e939 = phi_3019_;
-                                            phi_3024_ = _e939;
-                                            phi_3025_ = select(_e897, true, _e896);
+                                            let _e941 = phi_3291_;
+                                            phi_3296_ = _e941;
+                                            phi_3297_ = select(_e899, true, _e898);
                                         } else {
-                                            phi_3024_ = _e933;
-                                            phi_3025_ = _e594;
+                                            phi_3296_ = _e935;
+                                            phi_3297_ = _e596;
                                         }
-                                        let _e942 = phi_3024_;
-                                        let _e944 = phi_3025_;
-                                        phi_3356_ = _e551;
-                                        phi_3027_ = _e553;
-                                        phi_3028_ = _e942;
-                                        phi_3029_ = _e944;
-                                        phi_3030_ = select(_e935, _e596, _e937);
+                                        let _e944 = phi_3296_;
+                                        let _e946 = phi_3297_;
+                                        phi_3656_ = _e553;
+                                        phi_3299_ = _e555;
+                                        phi_3300_ = _e944;
+                                        phi_3301_ = _e946;
+                                        phi_3302_ = select(_e937, _e598, _e939);
                                     }
-                                    let _e1580 = phi_3356_;
-                                    let _e1582 = phi_3027_;
-                                    let _e1584 = phi_3028_;
-                                    let _e1586 = phi_3029_;
-                                    let _e1588 = phi_3030_;
-                                    phi_3355_ = _e1580;
-                                    phi_3031_ = _e1582;
-                                    phi_3032_ = _e1584;
-                                    phi_3033_ = (_e557 - 1u);
-                                    phi_3034_ = _e1586;
-                                    phi_3035_ = _e1588;
+                                    let _e1762 = phi_3656_;
+                                    let _e1764 = phi_3299_;
+                                    let _e1766 = phi_3300_;
+                                    let _e1768 = phi_3301_;
+                                    let _e1770 = phi_3302_;
+                                    phi_3655_ = _e1762;
+                                    phi_3303_ = _e1764;
+                                    phi_3304_ = _e1766;
+                                    phi_3305_ = (_e559 - 1u);
+                                    phi_3306_ = _e1768;
+                                    phi_3307_ = _e1770;
                                 } else {
-                                    phi_3355_ = _e551;
-                                    phi_3031_ = _e553;
-                                    phi_3032_ = _e592;
-                                    phi_3033_ = _e557;
-                                    phi_3034_ = _e594;
-                                    phi_3035_ = _e596;
+                                    phi_3655_ = _e553;
+                                    phi_3303_ = _e555;
+                                    phi_3304_ = _e594;
+                                    phi_3305_ = _e559;
+                                    phi_3306_ = _e596;
+                                    phi_3307_ = _e598;
                                 }
-                                let _e1590 = phi_3355_;
-                                let _e1592 = phi_3031_;
-                                let _e1594 = phi_3032_;
-                                let _e1596 = phi_3033_;
-                                let _e1598 = phi_3034_;
-                                let _e1600 = phi_3035_;
-                                phi_3354_ = _e1590;
-                                phi_3036_ = _e1592;
-                                phi_3037_ = _e1594;
-                                phi_3038_ = _e1596;
-                                phi_3039_ = _e1598;
-                                phi_3040_ = _e1600;
+                                let _e1772 = phi_3655_;
+                                let _e1774 = phi_3303_;
+                                let _e1776 = phi_3304_;
+                                let _e1778 = phi_3305_;
+                                let _e1780 = phi_3306_;
+                                let _e1782 = phi_3307_;
+                                phi_3654_ = _e1772;
+                                phi_3308_ = _e1774;
+                                phi_3309_ = _e1776;
+                                phi_3310_ = _e1778;
+                                phi_3311_ = _e1780;
+                                phi_3312_ = _e1782;
                             } else {
-                                phi_3354_ = _e551;
-                                phi_3036_ = type_43();
-                                phi_3037_ = type_61();
-                                phi_3038_ = u32();
-                                phi_3039_ = bool();
-                                phi_3040_ = u32();
+                                phi_3654_ = _e553;
+                                phi_3308_ = type_43();
+                                phi_3309_ = type_61();
+                                phi_3310_ = u32();
+                                phi_3311_ = bool();
+                                phi_3312_ = u32();
                             }
-                            let _e1602 = phi_3354_;
-                            let _e1604 = phi_3036_;
-                            let _e1606 = phi_3037_;
-                            let _e1608 = phi_3038_;
-                            let _e1610 = phi_3039_;
-                            let _e1612 = phi_3040_;
-                            phi_3353_ = _e1602;
-                            phi_884_ = _e1604;
-                            phi_887_ = _e1606;
-                            phi_889_ = _e1608;
-                            phi_891_ = _e1610;
-                            phi_893_ = _e1612;
-                            phi_3041_ = _e565;
+                            let _e1784 = phi_3654_;
+                            let _e1786 = phi_3308_;
+                            let _e1788 = phi_3309_;
+                            let _e1790 = phi_3310_;
+                            let _e1792 = phi_3311_;
+                            let _e1794 = phi_3312_;
+                            phi_3653_ = _e1784;
+                            phi_889_ = _e1786;
+                            phi_892_ = _e1788;
+                            phi_894_ = _e1790;
+                            phi_896_ = _e1792;
+                            phi_898_ = _e1794;
+                            phi_3313_ = _e567;
                         } else {
-                            phi_3353_ = _e551;
-                            phi_884_ = type_43();
-                            phi_887_ = type_61();
-                            phi_889_ = u32();
-                            phi_891_ = bool();
-                            phi_893_ = u32();
-                            phi_3041_ = false;
+                            phi_3653_ = _e553;
+                            phi_889_ = type_43();
+                            phi_892_ = type_61();
+                            phi_894_ = u32();
+                            phi_896_ = bool();
+                            phi_898_ = u32();
+                            phi_3313_ = false;
                         }
-                        let _e1614 = phi_3353_;
-                        let _e1616 = phi_884_;
-                        let _e1618 = phi_887_;
-                        let _e1620 = phi_889_;
-                        let _e1622 = phi_891_;
-                        let _e1624 = phi_893_;
-                        let _e1626 = phi_3041_;
+                        let _e1796 = phi_3653_;
+                        let _e1798 = phi_889_;
+                        let _e1800 = phi_892_;
+                        let _e1802 = phi_894_;
+                        let _e1804 = phi_896_;
+                        let _e1806 = phi_898_;
+                        let _e1808 = phi_3313_;
                         continue;
                         continuing {
-                            phi_3220_ = _e1614;
-                            phi_883_ = _e1616;
-                            phi_886_ = _e1618;
-                            phi_888_ = _e1620;
-                            phi_890_ = _e1622;
-                            phi_892_ = _e1624;
-                            phi_3352_ = _e1614;
-                            break if !(_e1626);
+                            phi_3492_ = _e1796;
+                            phi_888_ = _e1798;
+                            phi_891_ = _e1800;
+                            phi_893_ = _e1802;
+                            phi_895_ = _e1804;
+                            phi_897_ = _e1806;
+                            phi_3652_ = _e1796;
+                            break if !(_e1808);
                         }
                     }
-                    let _e1629 = phi_3352_;
-                    if _e1629 {
+                    let _e1811 = phi_3652_;
+                    if _e1811 {
                         break;
                     }
-                    let _e1631 = local_10;
-                    if (_e1631.member.member_3 != 4294967295u) {
-                        let _e1636 = (_e343 / 3i);
-                        let _e1643 = bitcast<f32>((bitcast<u32>((_e1636 + 127i)) << bitcast<u32>(23i)));
-                        let _e1651 = (((_e1631.member.member * _e1643) * _e1643) * bitcast<f32>((bitcast<u32>(((_e343 - (2i * _e1636)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1653 = select(340282350000000000000000000000000000000f, _e1651, (_e1651 < 340282350000000000000000000000000000000f));
-                        phi_3093_ = type_27(select(-340282350000000000000000000000000000000f, _e1653, (_e1653 > -340282350000000000000000000000000000000f)), _e1631.member.member_1, _e1631.member.member_2, _e1631.member.member_3);
+                    let _e1813 = local_10;
+                    if (_e1813.member.member_3 != 4294967295u) {
+                        let _e1818 = (_e345 / 3i);
+                        let _e1825 = bitcast<f32>((bitcast<u32>((_e1818 + 127i)) << bitcast<u32>(23i)));
+                        let _e1833 = (((_e1813.member.member * _e1825) * _e1825) * bitcast<f32>((bitcast<u32>(((_e345 - (2i * _e1818)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1835 = select(340282350000000000000000000000000000000f, _e1833, (_e1833 < 340282350000000000000000000000000000000f));
+                        phi_3365_ = type_27(select(-340282350000000000000000000000000000000f, _e1835, (_e1835 > -340282350000000000000000000000000000000f)), _e1813.member.member_1, _e1813.member.member_2, _e1813.member.member_3);
                     } else {
-                        phi_3093_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3365_ = type_27(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1660 = phi_3093_;
-                    if _e220 {
-                    } else {
-                        break;
-                    }
-                    global_8.member[_e134] = _e1660;
-                    if _e141 {
+                    let _e1842 = phi_3365_;
+                    if _e222 {
                     } else {
                         break;
                     }
-                    let _e1664 = select(0u, 1u, (_e287 <= _e297));
-                    if (_e1664 > 0u) {
-                        let _e1666 = (1u < _e102);
-                        if _e1666 {
-                            if (0u < _e102) {
+                    global_8.member[_e136] = _e1842;
+                    if _e143 {
+                    } else {
+                        break;
+                    }
+                    let _e1846 = select(0u, 1u, (_e289 <= _e299));
+                    if (_e1846 > 0u) {
+                        let _e1848 = (1u < _e104);
+                        if _e1848 {
+                            if (0u < _e104) {
                             } else {
                                 break;
                             }
-                            let _e1670 = atomicAdd((&global_9.member[0u]), _e1664);
-                            if ((_e1670 + _e1664) < _e1670) {
-                                if _e1666 {
+                            let _e1852 = atomicAdd((&global_9.member[0u]), _e1846);
+                            if ((_e1852 + _e1846) < _e1852) {
+                                if _e1848 {
                                 } else {
                                     break;
                                 }
-                                let _e1675 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e1857 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1678 = select(0u, 1u, (_e1660.member_3 != 4294967295u));
-                    if (_e1678 > 0u) {
-                        let _e1680 = (3u < _e102);
-                        if _e1680 {
-                            if (2u < _e102) {
+                    let _e1860 = select(0u, 1u, (_e1842.member_3 != 4294967295u));
+                    if (_e1860 > 0u) {
+                        let _e1862 = (3u < _e104);
+                        if _e1862 {
+                            if (2u < _e104) {
                             } else {
                                 break;
                             }
-                            let _e1684 = atomicAdd((&global_9.member[2u]), _e1678);
-                            if ((_e1684 + _e1678) < _e1684) {
-                                if _e1680 {
+                            let _e1866 = atomicAdd((&global_9.member[2u]), _e1860);
+                            if ((_e1866 + _e1860) < _e1866) {
+                                if _e1862 {
                                 } else {
                                     break;
                                 }
-                                let _e1689 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e1871 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

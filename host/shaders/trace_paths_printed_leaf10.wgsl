@@ -128,415 +128,432 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_270_: u32;
-    var phi_314_: i32;
-    var phi_338_: type_35;
-    var phi_444_: i32;
-    var phi_445_: i32;
-    var phi_455_: bool;
-    var phi_465_: u32;
-    var phi_466_: u32;
-    var phi_468_: bool;
-    var phi_473_: u32;
-    var phi_505_: i32;
-    var phi_523_: f32;
-    var phi_529_: f32;
-    var phi_540_: f32;
-    var phi_546_: f32;
-    var phi_569_: f32;
-    var phi_580_: f32;
-    var phi_589_: f32;
-    var phi_595_: f32;
-    var phi_606_: f32;
-    var phi_612_: f32;
-    var phi_635_: f32;
-    var phi_646_: f32;
-    var phi_655_: f32;
-    var phi_661_: f32;
-    var phi_672_: f32;
-    var phi_678_: f32;
-    var phi_701_: f32;
-    var phi_712_: f32;
-    var phi_812_: f32;
-    var phi_813_: f32;
-    var phi_3378_: bool;
-    var phi_886_: type_38;
-    var phi_889_: type_61;
-    var phi_891_: u32;
-    var phi_893_: bool;
-    var phi_895_: u32;
-    var phi_906_: bool;
-    var phi_992_: type_61;
-    var phi_993_: bool;
-    var phi_994_: u32;
-    var phi_2255_: type_48;
-    var phi_3087_: type_61;
-    var phi_3164_: type_61;
-    var phi_3165_: type_61;
-    var phi_3166_: u32;
-    var phi_3168_: type_61;
-    var phi_3169_: u32;
-    var phi_3170_: bool;
-    var phi_3177_: type_61;
-    var phi_3182_: type_61;
-    var phi_3183_: bool;
-    var phi_1013_: type_38;
-    var phi_1016_: type_8;
-    var phi_1017_: type_8;
-    var phi_1039_: type_8;
-    var phi_1064_: u32;
-    var phi_1080_: type_55;
-    var phi_1786_: vec3<f32>;
-    var phi_1787_: vec3<f32>;
-    var phi_1818_: bool;
-    var phi_1827_: vec3<f32>;
-    var phi_1867_: type_22;
-    var phi_1869_: type_22;
-    var phi_1870_: bool;
-    var phi_1874_: type_22;
-    var phi_1875_: type_22;
-    var phi_1876_: type_22;
-    var phi_1877_: bool;
-    var phi_1881_: type_22;
-    var phi_1882_: bool;
-    var phi_1886_: type_22;
-    var phi_1887_: bool;
-    var phi_1891_: type_22;
-    var phi_1914_: u32;
-    var phi_1928_: i32;
-    var phi_1944_: vec3<f32>;
-    var phi_1945_: vec3<f32>;
-    var phi_1957_: vec3<f32>;
-    var phi_1958_: vec3<f32>;
-    var phi_1970_: vec3<f32>;
-    var phi_1971_: vec3<f32>;
-    var phi_2007_: vec3<f32>;
-    var phi_2189_: f32;
-    var phi_2207_: bool;
-    var phi_2208_: bool;
-    var phi_2227_: bool;
-    var phi_2228_: bool;
-    var phi_2234_: type_38;
-    var phi_2235_: type_38;
-    var phi_2236_: type_38;
-    var phi_1014_: type_38;
-    var phi_3372_: bool;
-    var phi_3532_: bool;
-    var phi_3185_: type_38;
-    var phi_3186_: type_61;
-    var phi_3187_: bool;
-    var phi_3188_: u32;
-    var phi_3531_: bool;
-    var phi_3189_: type_38;
-    var phi_3190_: type_61;
-    var phi_3191_: u32;
-    var phi_3192_: bool;
-    var phi_3193_: u32;
-    var phi_3530_: bool;
-    var phi_3194_: type_38;
-    var phi_3195_: type_61;
-    var phi_3196_: u32;
-    var phi_3197_: bool;
-    var phi_3198_: u32;
-    var phi_3529_: bool;
-    var phi_887_: type_38;
-    var phi_890_: type_61;
-    var phi_892_: u32;
-    var phi_894_: bool;
+    var phi_275_: u32;
+    var phi_319_: i32;
+    var phi_343_: type_35;
+    var phi_449_: i32;
+    var phi_450_: i32;
+    var phi_460_: bool;
+    var phi_470_: u32;
+    var phi_471_: u32;
+    var phi_473_: bool;
+    var phi_478_: u32;
+    var phi_510_: i32;
+    var phi_528_: f32;
+    var phi_534_: f32;
+    var phi_545_: f32;
+    var phi_551_: f32;
+    var phi_574_: f32;
+    var phi_585_: f32;
+    var phi_594_: f32;
+    var phi_600_: f32;
+    var phi_611_: f32;
+    var phi_617_: f32;
+    var phi_640_: f32;
+    var phi_651_: f32;
+    var phi_660_: f32;
+    var phi_666_: f32;
+    var phi_677_: f32;
+    var phi_683_: f32;
+    var phi_706_: f32;
+    var phi_717_: f32;
+    var phi_817_: f32;
+    var phi_818_: f32;
+    var phi_3650_: bool;
+    var phi_891_: type_38;
+    var phi_894_: type_61;
     var phi_896_: u32;
-    var phi_3199_: bool;
-    var phi_3528_: bool;
+    var phi_898_: bool;
+    var phi_900_: u32;
+    var phi_911_: bool;
+    var phi_997_: type_61;
+    var phi_998_: bool;
+    var phi_999_: u32;
+    var phi_2527_: type_48;
+    var phi_3359_: type_61;
+    var phi_3436_: type_61;
+    var phi_3437_: type_61;
+    var phi_3438_: u32;
+    var phi_3440_: type_61;
+    var phi_3441_: u32;
+    var phi_3442_: bool;
+    var phi_3449_: type_61;
+    var phi_3454_: type_61;
+    var phi_3455_: bool;
+    var phi_1018_: type_38;
+    var phi_1021_: type_8;
+    var phi_1022_: type_8;
+    var phi_1044_: type_8;
+    var phi_1069_: u32;
+    var phi_1085_: type_55;
+    var phi_1461_: bool;
+    var phi_1490_: bool;
+    var phi_1867_: f32;
+    var phi_1868_: f32;
+    var phi_1869_: f32;
+    var phi_1870_: f32;
+    var phi_1871_: vec3<f32>;
+    var phi_1872_: vec3<f32>;
+    var phi_1873_: vec3<f32>;
+    var phi_1874_: vec3<f32>;
+    var phi_1905_: bool;
+    var phi_1914_: vec3<f32>;
+    var phi_2081_: bool;
+    var phi_2105_: f32;
+    var phi_2106_: f32;
+    var phi_2129_: type_22;
+    var phi_2131_: type_22;
+    var phi_2132_: bool;
+    var phi_2136_: type_22;
+    var phi_2137_: type_22;
+    var phi_2138_: type_22;
+    var phi_2139_: bool;
+    var phi_2143_: type_22;
+    var phi_2144_: bool;
+    var phi_2145_: type_22;
+    var phi_2146_: bool;
+    var phi_2147_: bool;
+    var phi_2148_: type_22;
+    var phi_2149_: bool;
+    var phi_2150_: bool;
+    var phi_2158_: type_22;
+    var phi_2159_: bool;
+    var phi_2163_: type_22;
+    var phi_2186_: u32;
+    var phi_2200_: i32;
+    var phi_2216_: vec3<f32>;
+    var phi_2217_: vec3<f32>;
+    var phi_2229_: vec3<f32>;
+    var phi_2230_: vec3<f32>;
+    var phi_2242_: vec3<f32>;
+    var phi_2243_: vec3<f32>;
+    var phi_2279_: vec3<f32>;
+    var phi_2461_: f32;
+    var phi_2479_: bool;
+    var phi_2480_: bool;
+    var phi_2499_: bool;
+    var phi_2500_: bool;
+    var phi_2506_: type_38;
+    var phi_2507_: type_38;
+    var phi_2508_: type_38;
+    var phi_1019_: type_38;
+    var phi_3644_: bool;
+    var phi_3832_: bool;
+    var phi_3457_: type_38;
+    var phi_3458_: type_61;
+    var phi_3459_: bool;
+    var phi_3460_: u32;
+    var phi_3831_: bool;
+    var phi_3461_: type_38;
+    var phi_3462_: type_61;
+    var phi_3463_: u32;
+    var phi_3464_: bool;
+    var phi_3465_: u32;
+    var phi_3830_: bool;
+    var phi_3466_: type_38;
+    var phi_3467_: type_61;
+    var phi_3468_: u32;
+    var phi_3469_: bool;
+    var phi_3470_: u32;
+    var phi_3829_: bool;
+    var phi_892_: type_38;
+    var phi_895_: type_61;
+    var phi_897_: u32;
+    var phi_899_: bool;
+    var phi_901_: u32;
+    var phi_3471_: bool;
+    var phi_3828_: bool;
     var local_10: type_38;
-    var phi_3251_: type_22;
+    var phi_3523_: type_22;
     var local_11: type_38;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e86 = arrayLength((&global_9.member));
-            let _e101 = arrayLength((&global_8.member));
-            let _e105 = global_3.member[0u][0u];
-            let _e109 = global_3.member[0u][1u];
-            let _e113 = global_3.member[0u][2u];
-            let _e117 = global_3.member[1u][0u];
-            let _e121 = global_3.member[1u][1u];
-            let _e125 = global_3.member[1u][2u];
-            let _e129 = global_3.member[1u][3u];
-            let _e133 = (_e83.x + (_e83.y * 2097152u));
-            let _e140 = (_e133 < arrayLength((&global_6.member)));
-            if _e140 {
-                if _e140 {
+            let _e85 = global;
+            let _e88 = arrayLength((&global_9.member));
+            let _e103 = arrayLength((&global_8.member));
+            let _e107 = global_3.member[0u][0u];
+            let _e111 = global_3.member[0u][1u];
+            let _e115 = global_3.member[0u][2u];
+            let _e119 = global_3.member[1u][0u];
+            let _e123 = global_3.member[1u][1u];
+            let _e127 = global_3.member[1u][2u];
+            let _e131 = global_3.member[1u][3u];
+            let _e135 = (_e85.x + (_e85.y * 2097152u));
+            let _e142 = (_e135 < arrayLength((&global_6.member)));
+            if _e142 {
+                if _e142 {
                 } else {
                     break;
                 }
-                let _e144 = global_6.member[_e133].member_2;
-                phi_270_ = _e144;
+                let _e146 = global_6.member[_e135].member_2;
+                phi_275_ = _e146;
             } else {
-                phi_270_ = 4294967295u;
+                phi_275_ = 4294967295u;
             }
-            let _e146 = phi_270_;
-            let _e149 = global_1.member[0u];
-            let _e153 = global_2.member[0u][0u];
-            let _e157 = global_2.member[0u][1u];
-            let _e161 = global_2.member[0u][2u];
-            let _e165 = global_2.member[0u][3u];
-            let _e169 = global_2.member[1u][0u];
-            let _e173 = global_2.member[1u][1u];
-            let _e177 = global_2.member[1u][2u];
-            let _e181 = global_2.member[1u][3u];
-            let _e182 = bitcast<f32>(_e153);
-            let _e183 = bitcast<f32>(_e157);
-            let _e184 = bitcast<f32>(_e161);
-            let _e186 = bitcast<f32>(_e169);
-            let _e187 = array<u32, 3>(_e173, _e177, _e181);
-            let _e189 = bitcast<i32>(_e149);
-            if (_e189 < -126i) {
-                phi_314_ = -126i;
+            let _e148 = phi_275_;
+            let _e151 = global_1.member[0u];
+            let _e155 = global_2.member[0u][0u];
+            let _e159 = global_2.member[0u][1u];
+            let _e163 = global_2.member[0u][2u];
+            let _e167 = global_2.member[0u][3u];
+            let _e171 = global_2.member[1u][0u];
+            let _e175 = global_2.member[1u][1u];
+            let _e179 = global_2.member[1u][2u];
+            let _e183 = global_2.member[1u][3u];
+            let _e184 = bitcast<f32>(_e155);
+            let _e185 = bitcast<f32>(_e159);
+            let _e186 = bitcast<f32>(_e163);
+            let _e188 = bitcast<f32>(_e171);
+            let _e189 = array<u32, 3>(_e175, _e179, _e183);
+            let _e191 = bitcast<i32>(_e151);
+            if (_e191 < -126i) {
+                phi_319_ = -126i;
             } else {
-                phi_314_ = select(_e189, 127i, (_e189 > 127i));
+                phi_319_ = select(_e191, 127i, (_e191 > 127i));
             }
-            let _e194 = phi_314_;
-            let _e199 = bitcast<f32>((bitcast<u32>((_e194 + 127i)) << bitcast<u32>(23i)));
-            let _e205 = bitcast<f32>((bitcast<u32>(((_e189 - _e194) + 127i)) << bitcast<u32>(23i)));
-            if (_e165 == 0u) {
-                phi_338_ = type_35(array<f32, 3>(_e182, _e183, _e184), _e165, _e186, _e187);
+            let _e196 = phi_319_;
+            let _e201 = bitcast<f32>((bitcast<u32>((_e196 + 127i)) << bitcast<u32>(23i)));
+            let _e207 = bitcast<f32>((bitcast<u32>(((_e191 - _e196) + 127i)) << bitcast<u32>(23i)));
+            if (_e167 == 0u) {
+                phi_343_ = type_35(array<f32, 3>(_e184, _e185, _e186), _e167, _e188, _e189);
             } else {
-                phi_338_ = type_35(array<f32, 3>(((_e182 * _e199) * _e205), ((_e183 * _e199) * _e205), ((_e184 * _e199) * _e205)), _e165, ((_e186 * _e199) * _e205), _e187);
+                phi_343_ = type_35(array<f32, 3>(((_e184 * _e201) * _e207), ((_e185 * _e201) * _e207), ((_e186 * _e201) * _e207)), _e167, ((_e188 * _e201) * _e207), _e189);
             }
-            let _e218 = phi_338_;
-            if _e140 {
-                let _e219 = (_e133 < arrayLength((&global_7.member)));
-                if _e219 {
-                    if _e140 {
+            let _e220 = phi_343_;
+            if _e142 {
+                let _e221 = (_e135 < arrayLength((&global_7.member)));
+                if _e221 {
+                    if _e142 {
                     } else {
                         break;
                     }
-                    let _e229 = global_6.member[_e133].member.member_2[0u];
-                    let _e231 = (bitcast<u32>(_e229) & 2147483647u);
-                    let _e237 = global_6.member[_e133].member.member_2[1u];
-                    let _e239 = (bitcast<u32>(_e237) & 2147483647u);
-                    let _e245 = global_6.member[_e133].member.member_2[2u];
-                    let _e247 = (bitcast<u32>(_e245) & 2147483647u);
-                    let _e253 = global_6.member[_e133].member.member[0u];
-                    let _e255 = (bitcast<u32>(_e253) & 2147483647u);
-                    let _e261 = global_6.member[_e133].member.member[1u];
-                    let _e263 = (bitcast<u32>(_e261) & 2147483647u);
-                    let _e269 = global_6.member[_e133].member.member[2u];
-                    let _e271 = (bitcast<u32>(_e269) & 2147483647u);
-                    let _e273 = select(_e239, _e231, (_e239 < _e231));
-                    let _e275 = select(_e247, _e273, (_e247 < _e273));
-                    let _e277 = select(_e255, _e275, (_e255 < _e275));
-                    let _e279 = select(_e263, _e277, (_e263 < _e277));
-                    let _e281 = select(_e271, _e279, (_e271 < _e279));
-                    let _e286 = global_6.member[_e133].member.member_1;
-                    let _e288 = (bitcast<u32>(_e286) & 2147483647u);
-                    let _e296 = global_6.member[_e133].member.member_3;
-                    let _e302 = (((select(_e288, _e281, (_e288 < _e281)) < 2139095040u) && ((bitcast<u32>(_e296) & 2147483647u) <= 2139095040u)) && (_e275 > 0u));
-                    if _e302 {
-                        let _e305 = (bitcast<u32>(bitcast<f32>(_e275)) & 2147483647u);
-                        if (_e305 >= 8388608u) {
-                            phi_444_ = (bitcast<i32>((_e305 >> bitcast<u32>(23i))) - 127i);
+                    let _e231 = global_6.member[_e135].member.member_2[0u];
+                    let _e233 = (bitcast<u32>(_e231) & 2147483647u);
+                    let _e239 = global_6.member[_e135].member.member_2[1u];
+                    let _e241 = (bitcast<u32>(_e239) & 2147483647u);
+                    let _e247 = global_6.member[_e135].member.member_2[2u];
+                    let _e249 = (bitcast<u32>(_e247) & 2147483647u);
+                    let _e255 = global_6.member[_e135].member.member[0u];
+                    let _e257 = (bitcast<u32>(_e255) & 2147483647u);
+                    let _e263 = global_6.member[_e135].member.member[1u];
+                    let _e265 = (bitcast<u32>(_e263) & 2147483647u);
+                    let _e271 = global_6.member[_e135].member.member[2u];
+                    let _e273 = (bitcast<u32>(_e271) & 2147483647u);
+                    let _e275 = select(_e241, _e233, (_e241 < _e233));
+                    let _e277 = select(_e249, _e275, (_e249 < _e275));
+                    let _e279 = select(_e257, _e277, (_e257 < _e277));
+                    let _e281 = select(_e265, _e279, (_e265 < _e279));
+                    let _e283 = select(_e273, _e281, (_e273 < _e281));
+                    let _e288 = global_6.member[_e135].member.member_1;
+                    let _e290 = (bitcast<u32>(_e288) & 2147483647u);
+                    let _e298 = global_6.member[_e135].member.member_3;
+                    let _e304 = (((select(_e290, _e283, (_e290 < _e283)) < 2139095040u) && ((bitcast<u32>(_e298) & 2147483647u) <= 2139095040u)) && (_e277 > 0u));
+                    if _e304 {
+                        let _e307 = (bitcast<u32>(bitcast<f32>(_e277)) & 2147483647u);
+                        if (_e307 >= 8388608u) {
+                            phi_449_ = (bitcast<i32>((_e307 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_444_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e305)), 32u, (_e305 == 0u))));
+                            phi_449_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e307)), 32u, (_e307 == 0u))));
                         }
-                        let _e319 = phi_444_;
-                        phi_445_ = _e319;
+                        let _e321 = phi_449_;
+                        phi_450_ = _e321;
                     } else {
-                        phi_445_ = 0i;
+                        phi_450_ = 0i;
                     }
-                    let _e321 = phi_445_;
-                    let _e322 = (_e231 == _e275);
-                    if _e322 {
-                        phi_455_ = true;
+                    let _e323 = phi_450_;
+                    let _e324 = (_e233 == _e277);
+                    if _e324 {
+                        phi_460_ = true;
                     } else {
-                        phi_455_ = (_e239 == _e275);
+                        phi_460_ = (_e241 == _e277);
                     }
-                    let _e325 = phi_455_;
-                    let _e326 = select(1u, 0u, _e322);
-                    if _e325 {
-                        let _e327 = (_e326 + 1u);
-                        phi_465_ = _e327;
-                        phi_466_ = _e327;
-                        phi_468_ = select(true, false, (_e327 == 2u));
+                    let _e327 = phi_460_;
+                    let _e328 = select(1u, 0u, _e324);
+                    if _e327 {
+                        let _e329 = (_e328 + 1u);
+                        phi_470_ = _e329;
+                        phi_471_ = _e329;
+                        phi_473_ = select(true, false, (_e329 == 2u));
                     } else {
-                        phi_465_ = u32();
-                        phi_466_ = 0u;
-                        phi_468_ = true;
+                        phi_470_ = u32();
+                        phi_471_ = 0u;
+                        phi_473_ = true;
                     }
-                    let _e331 = phi_465_;
-                    let _e333 = phi_466_;
-                    let _e335 = phi_468_;
-                    if _e335 {
-                        phi_473_ = (_e333 + 1u);
+                    let _e333 = phi_470_;
+                    let _e335 = phi_471_;
+                    let _e337 = phi_473_;
+                    if _e337 {
+                        phi_478_ = (_e335 + 1u);
                     } else {
-                        phi_473_ = 0u;
+                        phi_478_ = 0u;
                     }
-                    let _e339 = phi_473_;
-                    let _e340 = select(_e331, _e333, _e335);
-                    let _e341 = select(_e326, select(2u, _e326, _e325), _e335);
-                    let _e342 = -(_e321);
-                    if (_e342 < -126i) {
-                        phi_505_ = -126i;
+                    let _e341 = phi_478_;
+                    let _e342 = select(_e333, _e335, _e337);
+                    let _e343 = select(_e328, select(2u, _e328, _e327), _e337);
+                    let _e344 = -(_e323);
+                    if (_e344 < -126i) {
+                        phi_510_ = -126i;
                     } else {
-                        phi_505_ = select(_e342, 127i, (_e342 > 127i));
+                        phi_510_ = select(_e344, 127i, (_e344 > 127i));
                     }
-                    let _e347 = phi_505_;
-                    let _e352 = bitcast<f32>((bitcast<u32>((_e347 + 127i)) << bitcast<u32>(23i)));
-                    let _e358 = bitcast<f32>((bitcast<u32>(((_e342 - _e347) + 127i)) << bitcast<u32>(23i)));
-                    let _e363 = global_6.member[_e133].member.member;
-                    let _e364 = (_e340 == 0u);
-                    if _e364 {
-                        phi_523_ = _e363[0];
+                    let _e349 = phi_510_;
+                    let _e354 = bitcast<f32>((bitcast<u32>((_e349 + 127i)) << bitcast<u32>(23i)));
+                    let _e360 = bitcast<f32>((bitcast<u32>(((_e344 - _e349) + 127i)) << bitcast<u32>(23i)));
+                    let _e365 = global_6.member[_e135].member.member;
+                    let _e366 = (_e342 == 0u);
+                    if _e366 {
+                        phi_528_ = _e365[0];
                     } else {
-                        phi_523_ = _e363[1];
+                        phi_528_ = _e365[1];
                     }
-                    let _e368 = phi_523_;
-                    let _e369 = (_e340 == 2u);
-                    if _e369 {
-                        phi_529_ = _e363[2];
+                    let _e370 = phi_528_;
+                    let _e371 = (_e342 == 2u);
+                    if _e371 {
+                        phi_534_ = _e365[2];
                     } else {
-                        phi_529_ = _e368;
+                        phi_534_ = _e370;
                     }
-                    let _e372 = phi_529_;
-                    let _e373 = global_6.member[_e133].member.member_2;
-                    if _e364 {
-                        phi_540_ = _e373[0];
+                    let _e374 = phi_534_;
+                    let _e375 = global_6.member[_e135].member.member_2;
+                    if _e366 {
+                        phi_545_ = _e375[0];
                     } else {
-                        phi_540_ = _e373[1];
+                        phi_545_ = _e375[1];
                     }
-                    let _e377 = phi_540_;
-                    if _e369 {
-                        phi_546_ = _e373[2];
+                    let _e379 = phi_545_;
+                    if _e371 {
+                        phi_551_ = _e375[2];
                     } else {
-                        phi_546_ = _e377;
+                        phi_551_ = _e379;
                     }
-                    let _e380 = phi_546_;
-                    let _e382 = ((_e380 * _e352) * _e358);
-                    let _e386 = (bitcast<f32>((bitcast<u32>(_e382) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e386 {
-                        let _e390 = (bitcast<f32>((bitcast<u32>(_e372) & 2147483647u)) * 0.00000011920929f);
-                        phi_569_ = select(0.00000000000011368684f, _e390, (_e390 > 0.00000000000011368684f));
+                    let _e382 = phi_551_;
+                    let _e384 = ((_e382 * _e354) * _e360);
+                    let _e388 = (bitcast<f32>((bitcast<u32>(_e384) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e388 {
+                        let _e392 = (bitcast<f32>((bitcast<u32>(_e374) & 2147483647u)) * 0.00000011920929f);
+                        phi_574_ = select(0.00000000000011368684f, _e392, (_e392 > 0.00000000000011368684f));
                     } else {
-                        phi_569_ = 0f;
+                        phi_574_ = 0f;
                     }
-                    let _e394 = phi_569_;
-                    let _e395 = (_e372 + _e394);
-                    let _e396 = (_e372 - _e394);
-                    let _e397 = select(_e382, 0f, _e386);
-                    if _e386 {
-                        phi_580_ = 38685626000000000000000000f;
+                    let _e396 = phi_574_;
+                    let _e397 = (_e374 + _e396);
+                    let _e398 = (_e374 - _e396);
+                    let _e399 = select(_e384, 0f, _e388);
+                    if _e388 {
+                        phi_585_ = 38685626000000000000000000f;
                     } else {
-                        phi_580_ = (1f / _e382);
+                        phi_585_ = (1f / _e384);
                     }
-                    let _e400 = phi_580_;
-                    let _e401 = (_e339 == 0u);
-                    if _e401 {
-                        phi_589_ = _e363[0];
+                    let _e402 = phi_585_;
+                    let _e403 = (_e341 == 0u);
+                    if _e403 {
+                        phi_594_ = _e365[0];
                     } else {
-                        phi_589_ = _e363[1];
+                        phi_594_ = _e365[1];
                     }
-                    let _e405 = phi_589_;
-                    let _e406 = (_e339 == 2u);
-                    if _e406 {
-                        phi_595_ = _e363[2];
+                    let _e407 = phi_594_;
+                    let _e408 = (_e341 == 2u);
+                    if _e408 {
+                        phi_600_ = _e365[2];
                     } else {
-                        phi_595_ = _e405;
+                        phi_600_ = _e407;
                     }
-                    let _e409 = phi_595_;
-                    if _e401 {
-                        phi_606_ = _e373[0];
+                    let _e411 = phi_600_;
+                    if _e403 {
+                        phi_611_ = _e375[0];
                     } else {
-                        phi_606_ = _e373[1];
+                        phi_611_ = _e375[1];
                     }
-                    let _e413 = phi_606_;
-                    if _e406 {
-                        phi_612_ = _e373[2];
+                    let _e415 = phi_611_;
+                    if _e408 {
+                        phi_617_ = _e375[2];
                     } else {
-                        phi_612_ = _e413;
+                        phi_617_ = _e415;
                     }
-                    let _e416 = phi_612_;
-                    let _e418 = ((_e416 * _e352) * _e358);
-                    let _e422 = (bitcast<f32>((bitcast<u32>(_e418) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e422 {
-                        let _e426 = (bitcast<f32>((bitcast<u32>(_e409) & 2147483647u)) * 0.00000011920929f);
-                        phi_635_ = select(0.00000000000011368684f, _e426, (_e426 > 0.00000000000011368684f));
+                    let _e418 = phi_617_;
+                    let _e420 = ((_e418 * _e354) * _e360);
+                    let _e424 = (bitcast<f32>((bitcast<u32>(_e420) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e424 {
+                        let _e428 = (bitcast<f32>((bitcast<u32>(_e411) & 2147483647u)) * 0.00000011920929f);
+                        phi_640_ = select(0.00000000000011368684f, _e428, (_e428 > 0.00000000000011368684f));
                     } else {
-                        phi_635_ = 0f;
+                        phi_640_ = 0f;
                     }
-                    let _e430 = phi_635_;
-                    let _e431 = (_e409 + _e430);
-                    let _e432 = (_e409 - _e430);
-                    let _e433 = select(_e418, 0f, _e422);
-                    if _e422 {
-                        phi_646_ = 38685626000000000000000000f;
+                    let _e432 = phi_640_;
+                    let _e433 = (_e411 + _e432);
+                    let _e434 = (_e411 - _e432);
+                    let _e435 = select(_e420, 0f, _e424);
+                    if _e424 {
+                        phi_651_ = 38685626000000000000000000f;
                     } else {
-                        phi_646_ = (1f / _e418);
+                        phi_651_ = (1f / _e420);
                     }
-                    let _e436 = phi_646_;
-                    let _e437 = (_e341 == 0u);
-                    if _e437 {
-                        phi_655_ = _e363[0];
+                    let _e438 = phi_651_;
+                    let _e439 = (_e343 == 0u);
+                    if _e439 {
+                        phi_660_ = _e365[0];
                     } else {
-                        phi_655_ = _e363[1];
+                        phi_660_ = _e365[1];
                     }
-                    let _e441 = phi_655_;
-                    let _e442 = (_e341 == 2u);
-                    if _e442 {
-                        phi_661_ = _e363[2];
+                    let _e443 = phi_660_;
+                    let _e444 = (_e343 == 2u);
+                    if _e444 {
+                        phi_666_ = _e365[2];
                     } else {
-                        phi_661_ = _e441;
+                        phi_666_ = _e443;
                     }
-                    let _e445 = phi_661_;
-                    if _e437 {
-                        phi_672_ = _e373[0];
+                    let _e447 = phi_666_;
+                    if _e439 {
+                        phi_677_ = _e375[0];
                     } else {
-                        phi_672_ = _e373[1];
+                        phi_677_ = _e375[1];
                     }
-                    let _e449 = phi_672_;
-                    if _e442 {
-                        phi_678_ = _e373[2];
+                    let _e451 = phi_677_;
+                    if _e444 {
+                        phi_683_ = _e375[2];
                     } else {
-                        phi_678_ = _e449;
+                        phi_683_ = _e451;
                     }
-                    let _e452 = phi_678_;
-                    let _e454 = ((_e452 * _e352) * _e358);
-                    let _e458 = (bitcast<f32>((bitcast<u32>(_e454) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e458 {
-                        let _e462 = (bitcast<f32>((bitcast<u32>(_e445) & 2147483647u)) * 0.00000011920929f);
-                        phi_701_ = select(0.00000000000011368684f, _e462, (_e462 > 0.00000000000011368684f));
+                    let _e454 = phi_683_;
+                    let _e456 = ((_e454 * _e354) * _e360);
+                    let _e460 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e460 {
+                        let _e464 = (bitcast<f32>((bitcast<u32>(_e447) & 2147483647u)) * 0.00000011920929f);
+                        phi_706_ = select(0.00000000000011368684f, _e464, (_e464 > 0.00000000000011368684f));
                     } else {
-                        phi_701_ = 0f;
+                        phi_706_ = 0f;
                     }
-                    let _e466 = phi_701_;
-                    let _e467 = (_e445 + _e466);
-                    let _e468 = (_e445 - _e466);
-                    let _e469 = select(_e454, 0f, _e458);
-                    if _e458 {
-                        phi_712_ = 38685626000000000000000000f;
+                    let _e468 = phi_706_;
+                    let _e469 = (_e447 + _e468);
+                    let _e470 = (_e447 - _e468);
+                    let _e471 = select(_e456, 0f, _e460);
+                    if _e460 {
+                        phi_717_ = 38685626000000000000000000f;
                     } else {
-                        phi_712_ = (1f / _e454);
+                        phi_717_ = (1f / _e456);
                     }
-                    let _e472 = phi_712_;
-                    let _e475 = bitcast<f32>((bitcast<u32>(_e372) & 2147483647u));
-                    let _e478 = bitcast<f32>((bitcast<u32>(_e409) & 2147483647u));
-                    let _e480 = select(_e478, _e475, (_e475 > _e478));
-                    let _e483 = bitcast<f32>((bitcast<u32>(_e445) & 2147483647u));
-                    if (_e302 && (select(_e483, _e480, (_e480 > _e483)) <= 1099511600000f)) {
-                        let _e488 = (_e321 / 3i);
-                        let _e495 = bitcast<f32>((bitcast<u32>((_e488 + 127i)) << bitcast<u32>(23i)));
-                        let _e502 = bitcast<f32>((bitcast<u32>(((_e321 - (2i * _e488)) + 127i)) << bitcast<u32>(23i)));
-                        let _e503 = (((_e286 * _e495) * _e495) * _e502);
-                        let _e505 = select(340282350000000000000000000000000000000f, _e503, (_e503 < 340282350000000000000000000000000000000f));
-                        let _e510 = (((_e296 * _e495) * _e495) * _e502);
-                        let _e512 = select(340282350000000000000000000000000000000f, _e510, (_e510 < 340282350000000000000000000000000000000f));
-                        phi_812_ = select(-340282350000000000000000000000000000000f, _e512, (_e512 > -340282350000000000000000000000000000000f));
-                        phi_813_ = select(-340282350000000000000000000000000000000f, _e505, (_e505 > -340282350000000000000000000000000000000f));
+                    let _e474 = phi_717_;
+                    let _e477 = bitcast<f32>((bitcast<u32>(_e374) & 2147483647u));
+                    let _e480 = bitcast<f32>((bitcast<u32>(_e411) & 2147483647u));
+                    let _e482 = select(_e480, _e477, (_e477 > _e480));
+                    let _e485 = bitcast<f32>((bitcast<u32>(_e447) & 2147483647u));
+                    if (_e304 && (select(_e485, _e482, (_e482 > _e485)) <= 1099511600000f)) {
+                        let _e490 = (_e323 / 3i);
+                        let _e497 = bitcast<f32>((bitcast<u32>((_e490 + 127i)) << bitcast<u32>(23i)));
+                        let _e504 = bitcast<f32>((bitcast<u32>(((_e323 - (2i * _e490)) + 127i)) << bitcast<u32>(23i)));
+                        let _e505 = (((_e288 * _e497) * _e497) * _e504);
+                        let _e507 = select(340282350000000000000000000000000000000f, _e505, (_e505 < 340282350000000000000000000000000000000f));
+                        let _e512 = (((_e298 * _e497) * _e497) * _e504);
+                        let _e514 = select(340282350000000000000000000000000000000f, _e512, (_e512 < 340282350000000000000000000000000000000f));
+                        phi_817_ = select(-340282350000000000000000000000000000000f, _e514, (_e514 > -340282350000000000000000000000000000000f));
+                        phi_818_ = select(-340282350000000000000000000000000000000f, _e507, (_e507 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_812_ = 0f;
-                        phi_813_ = 1f;
+                        phi_817_ = 0f;
+                        phi_818_ = 1f;
                     }
-                    let _e516 = phi_812_;
-                    let _e518 = phi_813_;
+                    let _e518 = phi_817_;
+                    let _e520 = phi_818_;
                     local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -545,881 +562,989 @@ fn function_() {
                     local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    local_9 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                    let _e523 = (_e340 % 3u);
-                    let _e524 = (_e523 < 3u);
-                    if _e524 {
+                    local_9 = array<f32, 3>(bitcast<f32>(_e107), bitcast<f32>(_e111), bitcast<f32>(_e115));
+                    let _e525 = (_e342 % 3u);
+                    let _e526 = (_e525 < 3u);
+                    if _e526 {
                     } else {
                         break;
                     }
-                    let _e526 = local_9[_e523];
-                    let _e527 = (_e339 % 3u);
-                    let _e528 = (_e527 < 3u);
-                    if _e528 {
+                    let _e528 = local_9[_e525];
+                    let _e529 = (_e341 % 3u);
+                    let _e530 = (_e529 < 3u);
+                    if _e530 {
                     } else {
                         break;
                     }
-                    let _e530 = local_9[_e527];
-                    let _e531 = (_e341 % 3u);
-                    let _e532 = (_e531 < 3u);
-                    if _e532 {
+                    let _e532 = local_9[_e529];
+                    let _e533 = (_e343 % 3u);
+                    let _e534 = (_e533 < 3u);
+                    if _e534 {
                     } else {
                         break;
                     }
-                    let _e534 = local_9[_e531];
-                    local_8 = array<f32, 3>(bitcast<f32>(_e117), bitcast<f32>(_e121), bitcast<f32>(_e125));
-                    if _e524 {
+                    let _e536 = local_9[_e533];
+                    local_8 = array<f32, 3>(bitcast<f32>(_e119), bitcast<f32>(_e123), bitcast<f32>(_e127));
+                    if _e526 {
                     } else {
                         break;
                     }
-                    let _e538 = local_8[_e523];
-                    if _e528 {
+                    let _e540 = local_8[_e525];
+                    if _e530 {
                     } else {
                         break;
                     }
-                    let _e540 = local_8[_e527];
-                    if _e532 {
+                    let _e542 = local_8[_e529];
+                    if _e534 {
                     } else {
                         break;
                     }
-                    let _e542 = local_8[_e531];
-                    phi_3378_ = false;
-                    phi_886_ = type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e516);
-                    phi_889_ = type_61(type_53(array<f32, 3>(_e526, _e530, _e534), array<f32, 3>(_e538, _e540, _e542)), select(0u, 2147483648u, (_e86 == 0u)));
-                    phi_891_ = ((3u * _e86) + 1u);
-                    phi_893_ = (_e518 <= _e516);
-                    phi_895_ = 0u;
+                    let _e544 = local_8[_e533];
+                    phi_3650_ = false;
+                    phi_891_ = type_38(type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e518);
+                    phi_894_ = type_61(type_53(array<f32, 3>(_e528, _e532, _e536), array<f32, 3>(_e540, _e542, _e544)), select(0u, 2147483648u, (_e88 == 0u)));
+                    phi_896_ = ((3u * _e88) + 1u);
+                    phi_898_ = (_e520 <= _e518);
+                    phi_900_ = 0u;
                     loop {
-                        let _e550 = phi_3378_;
-                        let _e552 = phi_886_;
-                        let _e554 = phi_889_;
-                        let _e556 = phi_891_;
-                        let _e558 = phi_893_;
-                        let _e560 = phi_895_;
-                        local_10 = _e552;
-                        if _e558 {
-                            phi_906_ = true;
+                        let _e552 = phi_3650_;
+                        let _e554 = phi_891_;
+                        let _e556 = phi_894_;
+                        let _e558 = phi_896_;
+                        let _e560 = phi_898_;
+                        let _e562 = phi_900_;
+                        local_10 = _e554;
+                        if _e560 {
+                            phi_911_ = true;
                         } else {
-                            phi_906_ = (_e560 > 0u);
+                            phi_911_ = (_e562 > 0u);
                         }
-                        let _e563 = phi_906_;
-                        if _e563 {
-                            let _e564 = (_e556 > 0u);
-                            if _e564 {
-                                if _e558 {
-                                    phi_992_ = _e554;
-                                    phi_993_ = _e558;
-                                    phi_994_ = _e560;
+                        let _e565 = phi_911_;
+                        if _e565 {
+                            let _e566 = (_e558 > 0u);
+                            if _e566 {
+                                if _e560 {
+                                    phi_997_ = _e556;
+                                    phi_998_ = _e560;
+                                    phi_999_ = _e562;
                                 } else {
-                                    let _e565 = (_e560 - 1u);
-                                    let _e566 = (_e565 % 128u);
-                                    let _e567 = (_e566 < 128u);
-                                    if _e567 {
+                                    let _e567 = (_e562 - 1u);
+                                    let _e568 = (_e567 % 128u);
+                                    let _e569 = (_e568 < 128u);
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e569 = local_6[_e566];
-                                    if _e567 {
+                                    let _e571 = local_6[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e571 = local_5[_e566];
-                                    if _e567 {
+                                    let _e573 = local_5[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e573 = local_4[_e566];
-                                    if _e567 {
+                                    let _e575 = local_4[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e575 = local_3[_e566];
-                                    if _e567 {
+                                    let _e577 = local_3[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e578 = local_2[_e566];
-                                    if _e567 {
+                                    let _e580 = local_2[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e580 = local_1[_e566];
-                                    if _e567 {
+                                    let _e582 = local_1[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e582 = local[_e566];
-                                    if _e567 {
+                                    let _e584 = local[_e568];
+                                    if _e569 {
                                     } else {
-                                        phi_3528_ = true;
+                                        phi_3828_ = true;
                                         break;
                                     }
-                                    let _e587 = local_7[_e566];
-                                    phi_992_ = type_61(type_53(array<f32, 3>(_e571, _e573, _e575), array<f32, 3>(_e578, _e580, _e582)), _e569);
-                                    phi_993_ = (_e587 <= _e552.member_1);
-                                    phi_994_ = _e565;
+                                    let _e589 = local_7[_e568];
+                                    phi_997_ = type_61(type_53(array<f32, 3>(_e573, _e575, _e577), array<f32, 3>(_e580, _e582, _e584)), _e571);
+                                    phi_998_ = (_e589 <= _e554.member_1);
+                                    phi_999_ = _e567;
                                 }
-                                let _e591 = phi_992_;
-                                let _e593 = phi_993_;
-                                let _e595 = phi_994_;
-                                if _e593 {
-                                    if ((_e591.member_1 & 2147483648u) != 0u) {
-                                        phi_1013_ = _e552;
-                                        phi_1016_ = type_8(0u, ((_e591.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e593 = phi_997_;
+                                let _e595 = phi_998_;
+                                let _e597 = phi_999_;
+                                if _e595 {
+                                    if ((_e593.member_1 & 2147483648u) != 0u) {
+                                        phi_1018_ = _e554;
+                                        phi_1021_ = type_8(0u, ((_e593.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e948 = phi_1013_;
-                                            let _e950 = phi_1016_;
-                                            local_11 = _e948;
-                                            if (_e950.member < _e950.member_1) {
-                                                phi_1017_ = type_8((_e950.member + 1u), _e950.member_1);
-                                                phi_1039_ = type_8(1u, _e950.member);
+                                            let _e950 = phi_1018_;
+                                            let _e952 = phi_1021_;
+                                            local_11 = _e950;
+                                            if (_e952.member < _e952.member_1) {
+                                                phi_1022_ = type_8((_e952.member + 1u), _e952.member_1);
+                                                phi_1044_ = type_8(1u, _e952.member);
                                             } else {
-                                                phi_1017_ = _e950;
-                                                phi_1039_ = type_8(0u, type_8().member_1);
+                                                phi_1022_ = _e952;
+                                                phi_1044_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e963 = phi_1017_;
-                                            let _e965 = phi_1039_;
-                                            let _e969 = (bitcast<i32>(_e965.member) != 0i);
-                                            if _e969 {
-                                                let _e970 = ((_e591.member_1 & 268435455u) + _e965.member_1);
-                                                let _e971 = (_e970 < arrayLength((&global_10.member)));
-                                                if _e971 {
-                                                    if _e971 {
+                                            let _e965 = phi_1022_;
+                                            let _e967 = phi_1044_;
+                                            let _e971 = (bitcast<i32>(_e967.member) != 0i);
+                                            if _e971 {
+                                                let _e972 = ((_e593.member_1 & 268435455u) + _e967.member_1);
+                                                let _e973 = (_e972 < arrayLength((&global_10.member)));
+                                                if _e973 {
+                                                    if _e973 {
                                                     } else {
-                                                        phi_3372_ = true;
+                                                        phi_3644_ = true;
                                                         break;
                                                     }
-                                                    let _e974 = global_10.member[_e970].member_1;
-                                                    phi_1064_ = _e974;
+                                                    let _e976 = global_10.member[_e972].member_1;
+                                                    phi_1069_ = _e976;
                                                 } else {
-                                                    phi_1064_ = 4294967295u;
+                                                    phi_1069_ = 4294967295u;
                                                 }
-                                                let _e976 = phi_1064_;
-                                                if _e971 {
-                                                    if _e971 {
+                                                let _e978 = phi_1069_;
+                                                if _e973 {
+                                                    if _e973 {
                                                     } else {
-                                                        phi_3372_ = true;
+                                                        phi_3644_ = true;
                                                         break;
                                                     }
-                                                    let _e978 = global_10.member[_e970];
-                                                    phi_1080_ = _e978;
+                                                    let _e980 = global_10.member[_e972];
+                                                    phi_1085_ = _e980;
                                                 } else {
-                                                    phi_1080_ = type_55(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                    phi_1085_ = type_55(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                 }
-                                                let _e980 = phi_1080_;
-                                                let _e992 = ((10u * _e340) & 31u);
-                                                let _e995 = ((_e980.member[0] >> bitcast<u32>(_e992)) & 1023u);
-                                                let _e1000 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[0] - _e591.member.member[0]) * 0.0009775171f)) ^ _e129));
-                                                let _e1006 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e995) * _e1000)) ^ _e129)));
-                                                let _e1010 = select(select(_e591.member.member_1[0], _e1006, (_e1006 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e995 == 1023u));
-                                                let _e1012 = ((10u * _e339) & 31u);
-                                                let _e1015 = ((_e980.member[0] >> bitcast<u32>(_e1012)) & 1023u);
-                                                let _e1020 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[1] - _e591.member.member[1]) * 0.0009775171f)) ^ _e129));
-                                                let _e1026 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1015) * _e1020)) ^ _e129)));
-                                                let _e1030 = select(select(_e591.member.member_1[1], _e1026, (_e1026 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e1015 == 1023u));
-                                                let _e1032 = ((10u * _e341) & 31u);
-                                                let _e1035 = ((_e980.member[0] >> bitcast<u32>(_e1032)) & 1023u);
-                                                let _e1040 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[2] - _e591.member.member[2]) * 0.0009775171f)) ^ _e129));
-                                                let _e1046 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1035) * _e1040)) ^ _e129)));
-                                                let _e1050 = select(select(_e591.member.member_1[2], _e1046, (_e1046 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e1035 == 1023u));
-                                                let _e1054 = ((_e980.member[1] >> bitcast<u32>(_e992)) & 1023u);
-                                                let _e1060 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1054) * _e1000)) ^ _e129)));
-                                                let _e1064 = select(select(_e591.member.member_1[0], _e1060, (_e1060 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e1054 == 1023u));
-                                                let _e1067 = ((_e980.member[1] >> bitcast<u32>(_e1012)) & 1023u);
-                                                let _e1073 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1067) * _e1020)) ^ _e129)));
-                                                let _e1077 = select(select(_e591.member.member_1[1], _e1073, (_e1073 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e1067 == 1023u));
-                                                let _e1080 = ((_e980.member[1] >> bitcast<u32>(_e1032)) & 1023u);
-                                                let _e1086 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1080) * _e1040)) ^ _e129)));
-                                                let _e1090 = select(select(_e591.member.member_1[2], _e1086, (_e1086 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e1080 == 1023u));
-                                                let _e1094 = ((_e980.member[2] >> bitcast<u32>(_e992)) & 1023u);
-                                                let _e1100 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1094) * _e1000)) ^ _e129)));
-                                                let _e1104 = select(select(_e591.member.member_1[0], _e1100, (_e1100 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e1094 == 1023u));
-                                                let _e1107 = ((_e980.member[2] >> bitcast<u32>(_e1012)) & 1023u);
-                                                let _e1113 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1107) * _e1020)) ^ _e129)));
-                                                let _e1117 = select(select(_e591.member.member_1[1], _e1113, (_e1113 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e1107 == 1023u));
-                                                let _e1120 = ((_e980.member[2] >> bitcast<u32>(_e1032)) & 1023u);
-                                                let _e1126 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1120) * _e1040)) ^ _e129)));
-                                                let _e1130 = select(select(_e591.member.member_1[2], _e1126, (_e1126 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e1120 == 1023u));
-                                                let _e1134 = (_e1050 - _e445);
-                                                let _e1137 = (((_e1010 - _e372) * _e469) - (_e1134 * _e397));
-                                                let _e1140 = (((_e1030 - _e409) * _e469) - (_e1134 * _e433));
-                                                let _e1143 = (_e1090 - _e445);
-                                                let _e1146 = (((_e1064 - _e372) * _e469) - (_e1143 * _e397));
-                                                let _e1149 = (((_e1077 - _e409) * _e469) - (_e1143 * _e433));
-                                                let _e1152 = (_e1130 - _e445);
-                                                let _e1155 = (((_e1104 - _e372) * _e469) - (_e1152 * _e397));
-                                                let _e1158 = (((_e1117 - _e409) * _e469) - (_e1152 * _e433));
-                                                let _e1159 = (_e1155 * _e1149);
-                                                let _e1160 = (_e1158 * _e1146);
-                                                let _e1161 = (_e1137 * _e1158);
-                                                let _e1162 = (_e1140 * _e1155);
-                                                let _e1163 = (_e1146 * _e1140);
-                                                let _e1164 = (_e1149 * _e1137);
-                                                let _e1169 = (((_e1159 >= _e1160) && (_e1161 >= _e1162)) && (_e1163 >= _e1164));
-                                                if (_e1169 || (((_e1159 <= _e1160) && (_e1161 <= _e1162)) && (_e1163 <= _e1164))) {
-                                                    let _e1176 = select(-1f, 1f, _e1169);
-                                                    let _e1178 = ((_e1159 - _e1160) * _e1176);
-                                                    let _e1180 = select(0f, _e1178, (_e1178 > 0f));
-                                                    let _e1182 = ((_e1161 - _e1162) * _e1176);
-                                                    let _e1184 = select(0f, _e1182, (_e1182 > 0f));
-                                                    let _e1186 = ((_e1163 - _e1164) * _e1176);
-                                                    let _e1188 = select(0f, _e1186, (_e1186 > 0f));
-                                                    let _e1190 = ((_e1180 + _e1184) + _e1188);
-                                                    if (_e1190 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_1881_ = type_22();
-                                                        phi_1882_ = true;
+                                                let _e982 = phi_1085_;
+                                                let _e994 = ((10u * _e342) & 31u);
+                                                let _e997 = ((_e982.member[0] >> bitcast<u32>(_e994)) & 1023u);
+                                                let _e1002 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[0] - _e593.member.member[0]) * 0.0009775171f)) ^ _e131));
+                                                let _e1008 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e997) * _e1002)) ^ _e131)));
+                                                let _e1012 = select(select(_e593.member.member_1[0], _e1008, (_e1008 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e997 == 1023u));
+                                                let _e1014 = ((10u * _e341) & 31u);
+                                                let _e1017 = ((_e982.member[0] >> bitcast<u32>(_e1014)) & 1023u);
+                                                let _e1022 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[1] - _e593.member.member[1]) * 0.0009775171f)) ^ _e131));
+                                                let _e1028 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1017) * _e1022)) ^ _e131)));
+                                                let _e1032 = select(select(_e593.member.member_1[1], _e1028, (_e1028 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e1017 == 1023u));
+                                                let _e1034 = ((10u * _e343) & 31u);
+                                                let _e1037 = ((_e982.member[0] >> bitcast<u32>(_e1034)) & 1023u);
+                                                let _e1042 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[2] - _e593.member.member[2]) * 0.0009775171f)) ^ _e131));
+                                                let _e1048 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1037) * _e1042)) ^ _e131)));
+                                                let _e1052 = select(select(_e593.member.member_1[2], _e1048, (_e1048 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e1037 == 1023u));
+                                                let _e1056 = ((_e982.member[1] >> bitcast<u32>(_e994)) & 1023u);
+                                                let _e1062 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1056) * _e1002)) ^ _e131)));
+                                                let _e1066 = select(select(_e593.member.member_1[0], _e1062, (_e1062 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e1056 == 1023u));
+                                                let _e1069 = ((_e982.member[1] >> bitcast<u32>(_e1014)) & 1023u);
+                                                let _e1075 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1069) * _e1022)) ^ _e131)));
+                                                let _e1079 = select(select(_e593.member.member_1[1], _e1075, (_e1075 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e1069 == 1023u));
+                                                let _e1082 = ((_e982.member[1] >> bitcast<u32>(_e1034)) & 1023u);
+                                                let _e1088 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1082) * _e1042)) ^ _e131)));
+                                                let _e1092 = select(select(_e593.member.member_1[2], _e1088, (_e1088 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e1082 == 1023u));
+                                                let _e1096 = ((_e982.member[2] >> bitcast<u32>(_e994)) & 1023u);
+                                                let _e1102 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1096) * _e1002)) ^ _e131)));
+                                                let _e1106 = select(select(_e593.member.member_1[0], _e1102, (_e1102 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e1096 == 1023u));
+                                                let _e1109 = ((_e982.member[2] >> bitcast<u32>(_e1014)) & 1023u);
+                                                let _e1115 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1109) * _e1022)) ^ _e131)));
+                                                let _e1119 = select(select(_e593.member.member_1[1], _e1115, (_e1115 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e1109 == 1023u));
+                                                let _e1122 = ((_e982.member[2] >> bitcast<u32>(_e1034)) & 1023u);
+                                                let _e1128 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1122) * _e1042)) ^ _e131)));
+                                                let _e1132 = select(select(_e593.member.member_1[2], _e1128, (_e1128 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e1122 == 1023u));
+                                                let _e1136 = (_e1052 - _e447);
+                                                let _e1139 = (((_e1012 - _e374) * _e471) - (_e1136 * _e399));
+                                                let _e1142 = (((_e1032 - _e411) * _e471) - (_e1136 * _e435));
+                                                let _e1145 = (_e1092 - _e447);
+                                                let _e1148 = (((_e1066 - _e374) * _e471) - (_e1145 * _e399));
+                                                let _e1151 = (((_e1079 - _e411) * _e471) - (_e1145 * _e435));
+                                                let _e1154 = (_e1132 - _e447);
+                                                let _e1157 = (((_e1106 - _e374) * _e471) - (_e1154 * _e399));
+                                                let _e1160 = (((_e1119 - _e411) * _e471) - (_e1154 * _e435));
+                                                let _e1161 = (_e1157 * _e1151);
+                                                let _e1162 = (_e1160 * _e1148);
+                                                let _e1163 = (_e1139 * _e1160);
+                                                let _e1164 = (_e1142 * _e1157);
+                                                let _e1165 = (_e1148 * _e1142);
+                                                let _e1166 = (_e1151 * _e1139);
+                                                let _e1171 = (((_e1161 >= _e1162) && (_e1163 >= _e1164)) && (_e1165 >= _e1166));
+                                                if (_e1171 || (((_e1161 <= _e1162) && (_e1163 <= _e1164)) && (_e1165 <= _e1166))) {
+                                                    let _e1178 = select(-1f, 1f, _e1171);
+                                                    let _e1180 = ((_e1161 - _e1162) * _e1178);
+                                                    let _e1182 = select(0f, _e1180, (_e1180 > 0f));
+                                                    let _e1184 = ((_e1163 - _e1164) * _e1178);
+                                                    let _e1186 = select(0f, _e1184, (_e1184 > 0f));
+                                                    let _e1188 = ((_e1165 - _e1166) * _e1178);
+                                                    let _e1190 = select(0f, _e1188, (_e1188 > 0f));
+                                                    let _e1192 = ((_e1182 + _e1186) + _e1190);
+                                                    if (_e1192 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2148_ = type_22();
+                                                        phi_2149_ = true;
+                                                        phi_2150_ = false;
                                                     } else {
-                                                        let _e1193 = select(_e1064, _e1010, (_e1010 < _e1064));
-                                                        let _e1197 = select(_e1064, _e1010, (_e1010 > _e1064));
-                                                        let _e1201 = select(_e1077, _e1030, (_e1030 < _e1077));
-                                                        let _e1205 = select(_e1077, _e1030, (_e1030 > _e1077));
-                                                        let _e1209 = select(_e1090, _e1050, (_e1050 < _e1090));
-                                                        let _e1213 = select(_e1090, _e1050, (_e1050 > _e1090));
-                                                        let _e1218 = ((select(_e1104, _e1193, (_e1193 < _e1104)) - _e395) * _e400);
-                                                        let _e1219 = ((select(_e1104, _e1197, (_e1197 > _e1104)) - _e396) * _e400);
-                                                        let _e1222 = ((select(_e1117, _e1201, (_e1201 < _e1117)) - _e431) * _e436);
-                                                        let _e1223 = ((select(_e1117, _e1205, (_e1205 > _e1117)) - _e432) * _e436);
-                                                        let _e1226 = ((select(_e1130, _e1209, (_e1209 < _e1130)) - _e467) * _e472);
-                                                        let _e1227 = ((select(_e1130, _e1213, (_e1213 > _e1130)) - _e468) * _e472);
-                                                        let _e1229 = select(_e1227, _e1226, (_e1226 < _e1227));
-                                                        let _e1231 = select(_e1227, _e1226, (_e1226 > _e1227));
-                                                        let _e1233 = select(_e1219, _e1218, (_e1218 < _e1219));
-                                                        let _e1235 = select(_e1223, _e1222, (_e1222 < _e1223));
-                                                        let _e1237 = select(_e1235, _e1233, (_e1233 > _e1235));
-                                                        let _e1239 = select(_e1229, _e1237, (_e1237 > _e1229));
-                                                        let _e1241 = select(_e1219, _e1218, (_e1218 > _e1219));
-                                                        let _e1243 = select(_e1223, _e1222, (_e1222 > _e1223));
-                                                        let _e1245 = select(_e1243, _e1241, (_e1241 < _e1243));
-                                                        let _e1247 = select(_e1231, _e1245, (_e1245 < _e1231));
-                                                        let _e1248 = -(_e1229);
-                                                        let _e1254 = select(_e518, _e1239, (_e1239 > _e518));
-                                                        if (_e1254 > (_e1247 + (select(_e1248, _e1231, (_e1231 > _e1248)) * 0.0000019073523f))) {
-                                                            phi_1876_ = type_22();
-                                                            phi_1877_ = true;
+                                                        let _e1195 = select(_e1148, _e1139, (_e1139 < _e1148));
+                                                        if (select(_e1157, _e1195, (_e1195 < _e1157)) > 0f) {
+                                                            phi_1461_ = true;
                                                         } else {
-                                                            let _e1256 = (_e1254 > _e948.member_1);
-                                                            if _e1256 {
-                                                                phi_1875_ = type_22();
+                                                            let _e1200 = select(_e1148, _e1139, (_e1139 > _e1148));
+                                                            phi_1461_ = (select(_e1157, _e1200, (_e1200 > _e1157)) < 0f);
+                                                        }
+                                                        let _e1205 = phi_1461_;
+                                                        if _e1205 {
+                                                            phi_2145_ = type_22();
+                                                            phi_2146_ = true;
+                                                            phi_2147_ = false;
+                                                        } else {
+                                                            let _e1207 = select(_e1151, _e1142, (_e1142 < _e1151));
+                                                            if (select(_e1160, _e1207, (_e1207 < _e1160)) > 0f) {
+                                                                phi_1490_ = true;
                                                             } else {
-                                                                let _e1260 = (_e1064 - _e1010);
-                                                                let _e1261 = (_e1077 - _e1030);
-                                                                let _e1262 = (_e1090 - _e1050);
-                                                                let _e1263 = vec3<f32>(_e1260, _e1261, _e1262);
-                                                                let _e1264 = (_e1104 - _e1064);
-                                                                let _e1265 = (_e1117 - _e1077);
-                                                                let _e1266 = (_e1130 - _e1090);
-                                                                let _e1267 = vec3<f32>(_e1264, _e1265, _e1266);
-                                                                let _e1268 = (_e1010 - _e1104);
-                                                                let _e1269 = (_e1030 - _e1117);
-                                                                let _e1270 = (_e1050 - _e1130);
-                                                                let _e1271 = vec3<f32>(_e1268, _e1269, _e1270);
-                                                                let _e1274 = bitcast<f32>((bitcast<u32>(_e1260) & 2147483647u));
-                                                                let _e1277 = bitcast<f32>((bitcast<u32>(_e1261) & 2147483647u));
-                                                                let _e1279 = select(_e1277, _e1274, (_e1274 > _e1277));
-                                                                let _e1282 = bitcast<f32>((bitcast<u32>(_e1262) & 2147483647u));
-                                                                let _e1284 = select(_e1282, _e1279, (_e1279 > _e1282));
-                                                                let _e1287 = bitcast<f32>((bitcast<u32>(_e1264) & 2147483647u));
-                                                                let _e1290 = bitcast<f32>((bitcast<u32>(_e1265) & 2147483647u));
-                                                                let _e1292 = select(_e1290, _e1287, (_e1287 > _e1290));
-                                                                let _e1295 = bitcast<f32>((bitcast<u32>(_e1266) & 2147483647u));
-                                                                let _e1297 = select(_e1295, _e1292, (_e1292 > _e1295));
-                                                                let _e1300 = bitcast<f32>((bitcast<u32>(_e1268) & 2147483647u));
-                                                                let _e1303 = bitcast<f32>((bitcast<u32>(_e1269) & 2147483647u));
-                                                                let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
-                                                                let _e1308 = bitcast<f32>((bitcast<u32>(_e1270) & 2147483647u));
-                                                                let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
-                                                                let _e1312 = select(_e1297, _e1284, (_e1284 > _e1297));
-                                                                let _e1314 = select(_e1310, _e1312, (_e1312 > _e1310));
-                                                                if (_e1284 == _e1314) {
-                                                                    phi_1786_ = _e1267;
-                                                                    phi_1787_ = _e1271;
+                                                                let _e1212 = select(_e1151, _e1142, (_e1142 > _e1151));
+                                                                phi_1490_ = (select(_e1160, _e1212, (_e1212 > _e1160)) < 0f);
+                                                            }
+                                                            let _e1217 = phi_1490_;
+                                                            if _e1217 {
+                                                                phi_2143_ = type_22();
+                                                                phi_2144_ = false;
+                                                            } else {
+                                                                let _e1219 = select(_e1066, _e1012, (_e1012 < _e1066));
+                                                                let _e1223 = select(_e1066, _e1012, (_e1012 > _e1066));
+                                                                let _e1227 = select(_e1079, _e1032, (_e1032 < _e1079));
+                                                                let _e1231 = select(_e1079, _e1032, (_e1032 > _e1079));
+                                                                let _e1235 = select(_e1092, _e1052, (_e1052 < _e1092));
+                                                                let _e1239 = select(_e1092, _e1052, (_e1052 > _e1092));
+                                                                let _e1244 = ((select(_e1106, _e1219, (_e1219 < _e1106)) - _e397) * _e402);
+                                                                let _e1245 = ((select(_e1106, _e1223, (_e1223 > _e1106)) - _e398) * _e402);
+                                                                let _e1248 = ((select(_e1119, _e1227, (_e1227 < _e1119)) - _e433) * _e438);
+                                                                let _e1249 = ((select(_e1119, _e1231, (_e1231 > _e1119)) - _e434) * _e438);
+                                                                let _e1252 = ((select(_e1132, _e1235, (_e1235 < _e1132)) - _e469) * _e474);
+                                                                let _e1253 = ((select(_e1132, _e1239, (_e1239 > _e1132)) - _e470) * _e474);
+                                                                let _e1255 = select(_e1253, _e1252, (_e1252 < _e1253));
+                                                                let _e1257 = select(_e1253, _e1252, (_e1252 > _e1253));
+                                                                let _e1259 = select(_e1245, _e1244, (_e1244 < _e1245));
+                                                                let _e1261 = select(_e1249, _e1248, (_e1248 < _e1249));
+                                                                let _e1263 = select(_e1261, _e1259, (_e1259 > _e1261));
+                                                                let _e1265 = select(_e1255, _e1263, (_e1263 > _e1255));
+                                                                let _e1267 = select(_e1245, _e1244, (_e1244 > _e1245));
+                                                                let _e1269 = select(_e1249, _e1248, (_e1248 > _e1249));
+                                                                let _e1271 = select(_e1269, _e1267, (_e1267 < _e1269));
+                                                                let _e1273 = select(_e1257, _e1271, (_e1271 < _e1257));
+                                                                let _e1274 = -(_e1255);
+                                                                let _e1280 = select(_e520, _e1265, (_e1265 > _e520));
+                                                                if (_e1280 > (_e1273 + (select(_e1274, _e1257, (_e1257 > _e1274)) * 0.0000019073523f))) {
+                                                                    phi_2138_ = type_22();
+                                                                    phi_2139_ = true;
                                                                 } else {
-                                                                    let _e1317 = vec3((_e1297 == _e1314));
-                                                                    phi_1786_ = select(_e1263, _e1271, _e1317);
-                                                                    phi_1787_ = select(_e1267, _e1263, _e1317);
-                                                                }
-                                                                let _e1321 = phi_1786_;
-                                                                let _e1323 = phi_1787_;
-                                                                let _e1330 = ((_e1321.y * _e1323.z) - (_e1323.y * _e1321.z));
-                                                                let _e1335 = ((_e1321.z * _e1323.x) - (_e1323.z * _e1321.x));
-                                                                let _e1338 = ((_e1321.x * _e1323.y) - (_e1323.x * _e1321.y));
-                                                                if (_e1180 >= _e1184) {
-                                                                    phi_1818_ = select(true, false, (_e1180 >= _e1188));
-                                                                } else {
-                                                                    phi_1818_ = true;
-                                                                }
-                                                                let _e1343 = phi_1818_;
-                                                                if _e1343 {
-                                                                    phi_1827_ = select(vec3<f32>(_e1104, _e1117, _e1130), vec3<f32>(_e1064, _e1077, _e1090), vec3((_e1184 >= _e1188)));
-                                                                } else {
-                                                                    phi_1827_ = vec3<f32>(_e1010, _e1030, _e1050);
-                                                                }
-                                                                let _e1348 = phi_1827_;
-                                                                let _e1365 = ((((_e1330 * (_e1348.x - _e372)) + (_e1335 * (_e1348.y - _e409))) + (_e1338 * (_e1348.z - _e445))) / (((_e1330 * _e397) + (_e1335 * _e433)) + (_e1338 * _e469)));
-                                                                let _e1367 = select(_e1247, _e1365, (_e1365 < _e1247));
-                                                                let _e1369 = select(_e1239, _e1367, (_e1367 > _e1239));
-                                                                if (_e1369 >= _e518) {
-                                                                    let _e1371 = (_e1369 <= _e948.member_1);
-                                                                    if _e1371 {
-                                                                        let _e1372 = (1f / _e1190);
-                                                                        phi_1867_ = type_22(_e1369, (_e1184 * _e1372), (_e1188 * _e1372), _e976);
+                                                                    let _e1282 = (_e1280 > _e950.member_1);
+                                                                    if _e1282 {
+                                                                        phi_2137_ = type_22();
                                                                     } else {
-                                                                        phi_1867_ = type_22();
+                                                                        let _e1283 = vec3<f32>(_e1012, _e1032, _e1052);
+                                                                        let _e1284 = vec3<f32>(_e1066, _e1079, _e1092);
+                                                                        let _e1285 = vec3<f32>(_e1106, _e1119, _e1132);
+                                                                        let _e1286 = (_e1066 - _e1012);
+                                                                        let _e1287 = (_e1079 - _e1032);
+                                                                        let _e1288 = (_e1092 - _e1052);
+                                                                        let _e1289 = vec3<f32>(_e1286, _e1287, _e1288);
+                                                                        let _e1290 = (_e1106 - _e1066);
+                                                                        let _e1291 = (_e1119 - _e1079);
+                                                                        let _e1292 = (_e1132 - _e1092);
+                                                                        let _e1293 = vec3<f32>(_e1290, _e1291, _e1292);
+                                                                        let _e1294 = (_e1012 - _e1106);
+                                                                        let _e1295 = (_e1032 - _e1119);
+                                                                        let _e1296 = (_e1052 - _e1132);
+                                                                        let _e1297 = vec3<f32>(_e1294, _e1295, _e1296);
+                                                                        let _e1300 = bitcast<f32>((bitcast<u32>(_e1286) & 2147483647u));
+                                                                        let _e1303 = bitcast<f32>((bitcast<u32>(_e1287) & 2147483647u));
+                                                                        let _e1305 = select(_e1303, _e1300, (_e1300 > _e1303));
+                                                                        let _e1308 = bitcast<f32>((bitcast<u32>(_e1288) & 2147483647u));
+                                                                        let _e1310 = select(_e1308, _e1305, (_e1305 > _e1308));
+                                                                        let _e1313 = bitcast<f32>((bitcast<u32>(_e1290) & 2147483647u));
+                                                                        let _e1316 = bitcast<f32>((bitcast<u32>(_e1291) & 2147483647u));
+                                                                        let _e1318 = select(_e1316, _e1313, (_e1313 > _e1316));
+                                                                        let _e1321 = bitcast<f32>((bitcast<u32>(_e1292) & 2147483647u));
+                                                                        let _e1323 = select(_e1321, _e1318, (_e1318 > _e1321));
+                                                                        let _e1326 = bitcast<f32>((bitcast<u32>(_e1294) & 2147483647u));
+                                                                        let _e1329 = bitcast<f32>((bitcast<u32>(_e1295) & 2147483647u));
+                                                                        let _e1331 = select(_e1329, _e1326, (_e1326 > _e1329));
+                                                                        let _e1334 = bitcast<f32>((bitcast<u32>(_e1296) & 2147483647u));
+                                                                        let _e1336 = select(_e1334, _e1331, (_e1331 > _e1334));
+                                                                        let _e1338 = select(_e1323, _e1310, (_e1310 > _e1323));
+                                                                        let _e1340 = select(_e1336, _e1338, (_e1338 > _e1336));
+                                                                        if (_e1310 == _e1340) {
+                                                                            phi_1867_ = _e1151;
+                                                                            phi_1868_ = _e1148;
+                                                                            phi_1869_ = _e1142;
+                                                                            phi_1870_ = _e1139;
+                                                                            phi_1871_ = _e1283;
+                                                                            phi_1872_ = _e1297;
+                                                                            phi_1873_ = _e1293;
+                                                                            phi_1874_ = _e1289;
+                                                                        } else {
+                                                                            let _e1342 = (_e1323 == _e1340);
+                                                                            let _e1347 = vec3(_e1342);
+                                                                            phi_1867_ = select(_e1142, _e1160, _e1342);
+                                                                            phi_1868_ = select(_e1139, _e1157, _e1342);
+                                                                            phi_1869_ = select(_e1160, _e1151, _e1342);
+                                                                            phi_1870_ = select(_e1157, _e1148, _e1342);
+                                                                            phi_1871_ = select(_e1285, _e1284, _e1347);
+                                                                            phi_1872_ = select(_e1293, _e1289, _e1347);
+                                                                            phi_1873_ = select(_e1289, _e1297, _e1347);
+                                                                            phi_1874_ = select(_e1297, _e1293, _e1347);
+                                                                        }
+                                                                        let _e1353 = phi_1867_;
+                                                                        let _e1355 = phi_1868_;
+                                                                        let _e1357 = phi_1869_;
+                                                                        let _e1359 = phi_1870_;
+                                                                        let _e1361 = phi_1871_;
+                                                                        let _e1363 = phi_1872_;
+                                                                        let _e1365 = phi_1873_;
+                                                                        let _e1367 = phi_1874_;
+                                                                        let _e1374 = ((_e1365.y * _e1363.z) - (_e1363.y * _e1365.z));
+                                                                        let _e1379 = ((_e1365.z * _e1363.x) - (_e1363.z * _e1365.x));
+                                                                        let _e1382 = ((_e1365.x * _e1363.y) - (_e1363.x * _e1365.y));
+                                                                        if (_e1182 >= _e1186) {
+                                                                            phi_1905_ = select(true, false, (_e1182 >= _e1190));
+                                                                        } else {
+                                                                            phi_1905_ = true;
+                                                                        }
+                                                                        let _e1387 = phi_1905_;
+                                                                        if _e1387 {
+                                                                            phi_1914_ = select(_e1285, _e1284, vec3((_e1186 >= _e1190)));
+                                                                        } else {
+                                                                            phi_1914_ = _e1283;
+                                                                        }
+                                                                        let _e1392 = phi_1914_;
+                                                                        let _e1397 = (((_e1374 * _e399) + (_e1379 * _e435)) + (_e1382 * _e471));
+                                                                        let _e1408 = (((_e1374 * (_e1392.x - _e374)) + (_e1379 * (_e1392.y - _e411))) + (_e1382 * (_e1392.z - _e447)));
+                                                                        let _e1410 = (_e1355 - _e1359);
+                                                                        let _e1411 = (_e1353 - _e1357);
+                                                                        let _e1419 = (-(((_e1359 * _e1410) + (_e1357 * _e1411))) / ((_e1410 * _e1410) + (_e1411 * _e1411)));
+                                                                        let _e1421 = select(1f, _e1419, (_e1419 < 1f));
+                                                                        let _e1423 = select(0f, _e1421, (_e1421 > 0f));
+                                                                        let _e1436 = ((_e1361.x + (_e1367.x * _e1423)) - _e374);
+                                                                        let _e1437 = ((_e1361.y + (_e1367.y * _e1423)) - _e411);
+                                                                        let _e1438 = ((_e1361.z + (_e1367.z * _e1423)) - _e447);
+                                                                        let _e1439 = (_e1438 / _e471);
+                                                                        let _e1451 = bitcast<f32>((bitcast<u32>(_e1436) & 2147483647u));
+                                                                        let _e1454 = bitcast<f32>((bitcast<u32>(_e1437) & 2147483647u));
+                                                                        let _e1456 = select(_e1454, _e1451, (_e1451 > _e1454));
+                                                                        let _e1459 = bitcast<f32>((bitcast<u32>(_e1438) & 2147483647u));
+                                                                        let _e1461 = select(_e1459, _e1456, (_e1456 > _e1459));
+                                                                        let _e1467 = bitcast<f32>((bitcast<u32>(_e1374) & 2147483647u));
+                                                                        let _e1470 = bitcast<f32>((bitcast<u32>(_e1379) & 2147483647u));
+                                                                        let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
+                                                                        let _e1475 = bitcast<f32>((bitcast<u32>(_e1382) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1374 * _e1436) + (_e1379 * _e1437)) + (_e1382 * _e1438)) - _e1408)) & 2147483647u)) <= ((0.0000009536743f * select(_e1340, _e1461, (_e1461 > _e1340))) * select(_e1475, _e1472, (_e1472 > _e1475)))) {
+                                                                            let _e1485 = bitcast<f32>((bitcast<u32>(_e1365.x) & 2147483647u));
+                                                                            let _e1488 = bitcast<f32>((bitcast<u32>(_e1365.y) & 2147483647u));
+                                                                            let _e1490 = select(_e1488, _e1485, (_e1485 > _e1488));
+                                                                            let _e1493 = bitcast<f32>((bitcast<u32>(_e1365.z) & 2147483647u));
+                                                                            let _e1499 = bitcast<f32>((bitcast<u32>(_e1363.x) & 2147483647u));
+                                                                            let _e1502 = bitcast<f32>((bitcast<u32>(_e1363.y) & 2147483647u));
+                                                                            let _e1504 = select(_e1502, _e1499, (_e1499 > _e1502));
+                                                                            let _e1507 = bitcast<f32>((bitcast<u32>(_e1363.z) & 2147483647u));
+                                                                            phi_2081_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1397) & 2147483647u)) > ((0.0000038146973f * select(_e1493, _e1490, (_e1490 > _e1493))) * select(_e1507, _e1504, (_e1504 > _e1507)))));
+                                                                        } else {
+                                                                            phi_2081_ = true;
+                                                                        }
+                                                                        let _e1514 = phi_2081_;
+                                                                        if _e1514 {
+                                                                            let _e1525 = ((((_e1374 * (_e1436 - (_e399 * _e1439))) + (_e1379 * (_e1437 - (_e435 * _e1439)))) + (_e1382 * (_e1438 - _e1438))) / _e1397);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1525) & 2147483647u)) <= _e1340) {
+                                                                                phi_2105_ = (_e1439 + _e1525);
+                                                                            } else {
+                                                                                phi_2105_ = _e1439;
+                                                                            }
+                                                                            let _e1532 = phi_2105_;
+                                                                            phi_2106_ = _e1532;
+                                                                        } else {
+                                                                            phi_2106_ = (_e1408 / _e1397);
+                                                                        }
+                                                                        let _e1534 = phi_2106_;
+                                                                        let _e1536 = select(_e1273, _e1534, (_e1534 < _e1273));
+                                                                        let _e1538 = select(_e1265, _e1536, (_e1536 > _e1265));
+                                                                        if (_e1538 >= _e520) {
+                                                                            let _e1540 = (_e1538 <= _e950.member_1);
+                                                                            if _e1540 {
+                                                                                let _e1541 = (1f / _e1192);
+                                                                                phi_2129_ = type_22(_e1538, (_e1186 * _e1541), (_e1190 * _e1541), _e978);
+                                                                            } else {
+                                                                                phi_2129_ = type_22();
+                                                                            }
+                                                                            let _e1546 = phi_2129_;
+                                                                            phi_2131_ = _e1546;
+                                                                            phi_2132_ = select(true, false, _e1540);
+                                                                        } else {
+                                                                            phi_2131_ = type_22();
+                                                                            phi_2132_ = true;
+                                                                        }
+                                                                        let _e1549 = phi_2131_;
+                                                                        let _e1551 = phi_2132_;
+                                                                        if _e1551 {
+                                                                            phi_2136_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2136_ = _e1549;
+                                                                        }
+                                                                        let _e1553 = phi_2136_;
+                                                                        phi_2137_ = _e1553;
                                                                     }
-                                                                    let _e1377 = phi_1867_;
-                                                                    phi_1869_ = _e1377;
-                                                                    phi_1870_ = select(true, false, _e1371);
-                                                                } else {
-                                                                    phi_1869_ = type_22();
-                                                                    phi_1870_ = true;
+                                                                    let _e1555 = phi_2137_;
+                                                                    phi_2138_ = _e1555;
+                                                                    phi_2139_ = _e1282;
                                                                 }
-                                                                let _e1380 = phi_1869_;
-                                                                let _e1382 = phi_1870_;
-                                                                if _e1382 {
-                                                                    phi_1874_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_1874_ = _e1380;
-                                                                }
-                                                                let _e1384 = phi_1874_;
-                                                                phi_1875_ = _e1384;
+                                                                let _e1557 = phi_2138_;
+                                                                let _e1559 = phi_2139_;
+                                                                phi_2143_ = _e1557;
+                                                                phi_2144_ = _e1559;
                                                             }
-                                                            let _e1386 = phi_1875_;
-                                                            phi_1876_ = _e1386;
-                                                            phi_1877_ = _e1256;
+                                                            let _e1561 = phi_2143_;
+                                                            let _e1563 = phi_2144_;
+                                                            phi_2145_ = _e1561;
+                                                            phi_2146_ = _e1217;
+                                                            phi_2147_ = _e1563;
                                                         }
-                                                        let _e1388 = phi_1876_;
-                                                        let _e1390 = phi_1877_;
-                                                        phi_1881_ = _e1388;
-                                                        phi_1882_ = _e1390;
+                                                        let _e1565 = phi_2145_;
+                                                        let _e1567 = phi_2146_;
+                                                        let _e1569 = phi_2147_;
+                                                        phi_2148_ = _e1565;
+                                                        phi_2149_ = _e1567;
+                                                        phi_2150_ = _e1569;
                                                     }
-                                                    let _e1392 = phi_1881_;
-                                                    let _e1394 = phi_1882_;
-                                                    phi_1886_ = _e1392;
-                                                    phi_1887_ = _e1394;
+                                                    let _e1571 = phi_2148_;
+                                                    let _e1573 = phi_2149_;
+                                                    let _e1575 = phi_2150_;
+                                                    phi_2158_ = _e1571;
+                                                    phi_2159_ = select(_e1575, true, _e1573);
                                                 } else {
-                                                    phi_1886_ = type_22();
-                                                    phi_1887_ = true;
+                                                    phi_2158_ = type_22();
+                                                    phi_2159_ = true;
                                                 }
-                                                let _e1396 = phi_1886_;
-                                                let _e1398 = phi_1887_;
-                                                if _e1398 {
-                                                    phi_1891_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1578 = phi_2158_;
+                                                let _e1580 = phi_2159_;
+                                                if _e1580 {
+                                                    phi_2163_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_1891_ = _e1396;
+                                                    phi_2163_ = _e1578;
                                                 }
-                                                let _e1400 = phi_1891_;
-                                                if (_e1400.member_3 != 4294967295u) {
-                                                    if (_e976 == _e146) {
-                                                        phi_2208_ = false;
+                                                let _e1582 = phi_2163_;
+                                                if (_e1582.member_3 != 4294967295u) {
+                                                    if (_e978 == _e148) {
+                                                        phi_2480_ = false;
                                                     } else {
-                                                        let _e1404 = (_e976 < arrayLength((&global_4.member)));
-                                                        if _e1404 {
-                                                            if _e1404 {
+                                                        let _e1586 = (_e978 < arrayLength((&global_4.member)));
+                                                        if _e1586 {
+                                                            if _e1586 {
                                                             } else {
-                                                                phi_3372_ = true;
+                                                                phi_3644_ = true;
                                                                 break;
                                                             }
-                                                            let _e1406 = global_4.member[_e976];
-                                                            phi_1914_ = _e1406;
+                                                            let _e1588 = global_4.member[_e978];
+                                                            phi_2186_ = _e1588;
                                                         } else {
-                                                            phi_1914_ = 4294967295u;
+                                                            phi_2186_ = 4294967295u;
                                                         }
-                                                        let _e1408 = phi_1914_;
-                                                        let _e1409 = (_e1408 < arrayLength((&global_5.member)));
-                                                        if _e1409 {
-                                                            if _e1409 {
+                                                        let _e1590 = phi_2186_;
+                                                        let _e1591 = (_e1590 < arrayLength((&global_5.member)));
+                                                        if _e1591 {
+                                                            if _e1591 {
                                                             } else {
-                                                                phi_3372_ = true;
+                                                                phi_3644_ = true;
                                                                 break;
                                                             }
-                                                            let _e1411 = global_5.member[_e1408];
-                                                            phi_1928_ = _e1411;
+                                                            let _e1593 = global_5.member[_e1590];
+                                                            phi_2200_ = _e1593;
                                                         } else {
-                                                            phi_1928_ = 0i;
+                                                            phi_2200_ = 0i;
                                                         }
-                                                        let _e1413 = phi_1928_;
-                                                        let _e1414 = (_e1413 == 0i);
-                                                        if _e1414 {
-                                                            phi_2207_ = true;
+                                                        let _e1595 = phi_2200_;
+                                                        let _e1596 = (_e1595 == 0i);
+                                                        if _e1596 {
+                                                            phi_2479_ = true;
                                                         } else {
-                                                            if _e364 {
-                                                                phi_1945_ = vec3<f32>(_e1010, _e1030, _e1050);
+                                                            if _e366 {
+                                                                phi_2217_ = vec3<f32>(_e1012, _e1032, _e1052);
                                                             } else {
-                                                                if (_e340 == 1u) {
-                                                                    phi_1944_ = vec3<f32>(_e1050, _e1010, _e1030);
+                                                                if (_e342 == 1u) {
+                                                                    phi_2216_ = vec3<f32>(_e1052, _e1012, _e1032);
                                                                 } else {
-                                                                    phi_1944_ = vec3<f32>(_e1030, _e1050, _e1010);
+                                                                    phi_2216_ = vec3<f32>(_e1032, _e1052, _e1012);
                                                                 }
-                                                                let _e1419 = phi_1944_;
-                                                                phi_1945_ = _e1419;
+                                                                let _e1601 = phi_2216_;
+                                                                phi_2217_ = _e1601;
                                                             }
-                                                            let _e1422 = phi_1945_;
-                                                            if _e364 {
-                                                                phi_1958_ = vec3<f32>(_e1064, _e1077, _e1090);
+                                                            let _e1604 = phi_2217_;
+                                                            if _e366 {
+                                                                phi_2230_ = vec3<f32>(_e1066, _e1079, _e1092);
                                                             } else {
-                                                                if (_e340 == 1u) {
-                                                                    phi_1957_ = vec3<f32>(_e1090, _e1064, _e1077);
+                                                                if (_e342 == 1u) {
+                                                                    phi_2229_ = vec3<f32>(_e1092, _e1066, _e1079);
                                                                 } else {
-                                                                    phi_1957_ = vec3<f32>(_e1077, _e1090, _e1064);
+                                                                    phi_2229_ = vec3<f32>(_e1079, _e1092, _e1066);
                                                                 }
-                                                                let _e1427 = phi_1957_;
-                                                                phi_1958_ = _e1427;
+                                                                let _e1609 = phi_2229_;
+                                                                phi_2230_ = _e1609;
                                                             }
-                                                            let _e1430 = phi_1958_;
-                                                            if _e364 {
-                                                                phi_1971_ = vec3<f32>(_e1104, _e1117, _e1130);
+                                                            let _e1612 = phi_2230_;
+                                                            if _e366 {
+                                                                phi_2243_ = vec3<f32>(_e1106, _e1119, _e1132);
                                                             } else {
-                                                                if (_e340 == 1u) {
-                                                                    phi_1970_ = vec3<f32>(_e1130, _e1104, _e1117);
+                                                                if (_e342 == 1u) {
+                                                                    phi_2242_ = vec3<f32>(_e1132, _e1106, _e1119);
                                                                 } else {
-                                                                    phi_1970_ = vec3<f32>(_e1117, _e1130, _e1104);
+                                                                    phi_2242_ = vec3<f32>(_e1119, _e1132, _e1106);
                                                                 }
-                                                                let _e1435 = phi_1970_;
-                                                                phi_1971_ = _e1435;
+                                                                let _e1617 = phi_2242_;
+                                                                phi_2243_ = _e1617;
                                                             }
-                                                            let _e1438 = phi_1971_;
-                                                            let _e1441 = (_e1430.x - _e1422.x);
-                                                            let _e1444 = (_e1430.y - _e1422.y);
-                                                            let _e1447 = (_e1430.z - _e1422.z);
-                                                            let _e1449 = (_e1438.x - _e1422.x);
-                                                            let _e1451 = (_e1438.y - _e1422.y);
-                                                            let _e1453 = (_e1438.z - _e1422.z);
-                                                            if (_e218.member_1 == 1u) {
-                                                                phi_2007_ = (vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]) - _e1422);
+                                                            let _e1620 = phi_2243_;
+                                                            let _e1623 = (_e1612.x - _e1604.x);
+                                                            let _e1626 = (_e1612.y - _e1604.y);
+                                                            let _e1629 = (_e1612.z - _e1604.z);
+                                                            let _e1631 = (_e1620.x - _e1604.x);
+                                                            let _e1633 = (_e1620.y - _e1604.y);
+                                                            let _e1635 = (_e1620.z - _e1604.z);
+                                                            if (_e220.member_1 == 1u) {
+                                                                phi_2279_ = (vec3<f32>(_e220.member[0], _e220.member[1], _e220.member[2]) - _e1604);
                                                             } else {
-                                                                phi_2007_ = vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]);
+                                                                phi_2279_ = vec3<f32>(_e220.member[0], _e220.member[1], _e220.member[2]);
                                                             }
-                                                            let _e1468 = phi_2007_;
-                                                            let _e1474 = bitcast<f32>((bitcast<u32>((_e1441 * _e1451)) ^ _e218.member_3[0]));
-                                                            let _e1478 = bitcast<f32>((bitcast<u32>((_e1444 * _e1449)) ^ _e218.member_3[0]));
-                                                            let _e1482 = bitcast<f32>((bitcast<u32>((_e1444 * _e1453)) ^ _e218.member_3[0]));
-                                                            let _e1486 = bitcast<f32>((bitcast<u32>((_e1447 * _e1451)) ^ _e218.member_3[0]));
-                                                            let _e1490 = bitcast<f32>((bitcast<u32>((_e1447 * _e1449)) ^ _e218.member_3[0]));
-                                                            let _e1494 = bitcast<f32>((bitcast<u32>((_e1441 * _e1453)) ^ _e218.member_3[0]));
-                                                            let _e1495 = (_e1482 - _e1486);
-                                                            let _e1496 = (_e1490 - _e1494);
-                                                            let _e1497 = (_e1474 - _e1478);
-                                                            let _e1521 = (bitcast<f32>((bitcast<u32>(_e1482) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1486) & 2147483647u)));
-                                                            let _e1528 = (bitcast<f32>((bitcast<u32>(_e1490) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1494) & 2147483647u)));
-                                                            let _e1535 = (bitcast<f32>((bitcast<u32>(_e1474) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1478) & 2147483647u)));
-                                                            if (_e218.member_2 == 0f) {
-                                                                phi_2189_ = 0f;
+                                                            let _e1650 = phi_2279_;
+                                                            let _e1656 = bitcast<f32>((bitcast<u32>((_e1623 * _e1633)) ^ _e220.member_3[0]));
+                                                            let _e1660 = bitcast<f32>((bitcast<u32>((_e1626 * _e1631)) ^ _e220.member_3[0]));
+                                                            let _e1664 = bitcast<f32>((bitcast<u32>((_e1626 * _e1635)) ^ _e220.member_3[0]));
+                                                            let _e1668 = bitcast<f32>((bitcast<u32>((_e1629 * _e1633)) ^ _e220.member_3[0]));
+                                                            let _e1672 = bitcast<f32>((bitcast<u32>((_e1629 * _e1631)) ^ _e220.member_3[0]));
+                                                            let _e1676 = bitcast<f32>((bitcast<u32>((_e1623 * _e1635)) ^ _e220.member_3[0]));
+                                                            let _e1677 = (_e1664 - _e1668);
+                                                            let _e1678 = (_e1672 - _e1676);
+                                                            let _e1679 = (_e1656 - _e1660);
+                                                            let _e1703 = (bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u)));
+                                                            let _e1710 = (bitcast<f32>((bitcast<u32>(_e1672) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1676) & 2147483647u)));
+                                                            let _e1717 = (bitcast<f32>((bitcast<u32>(_e1656) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1660) & 2147483647u)));
+                                                            if (_e220.member_2 == 0f) {
+                                                                phi_2461_ = 0f;
                                                             } else {
-                                                                let _e1565 = bitcast<f32>((bitcast<u32>(_e1495) & 2147483647u));
-                                                                let _e1568 = bitcast<f32>((bitcast<u32>(_e1496) & 2147483647u));
-                                                                let _e1571 = bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u));
-                                                                let _e1573 = select(_e1571, _e1568, (_e1568 > _e1571));
-                                                                let _e1577 = select(_e1571, _e1568, (_e1568 < _e1571));
-                                                                let _e1581 = select(_e1568, _e1565, (_e1565 < _e1568));
-                                                                let _e1583 = select(_e1568, _e1565, (_e1565 > _e1568));
-                                                                let _e1585 = select(_e1571, _e1583, (_e1583 < _e1571));
-                                                                phi_2189_ = bitcast<f32>((bitcast<u32>((_e218.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1573, _e1565, (_e1565 > _e1573)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1585, _e1581, (_e1581 > _e1585)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1577, _e1565, (_e1565 < _e1577)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1521 + _e1528) + _e1535))) ^ _e218.member_3[0]))) * 1.0000005f)) ^ _e218.member_3[0])))) ^ _e218.member_3[0]));
+                                                                let _e1747 = bitcast<f32>((bitcast<u32>(_e1677) & 2147483647u));
+                                                                let _e1750 = bitcast<f32>((bitcast<u32>(_e1678) & 2147483647u));
+                                                                let _e1753 = bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u));
+                                                                let _e1755 = select(_e1753, _e1750, (_e1750 > _e1753));
+                                                                let _e1759 = select(_e1753, _e1750, (_e1750 < _e1753));
+                                                                let _e1763 = select(_e1750, _e1747, (_e1747 < _e1750));
+                                                                let _e1765 = select(_e1750, _e1747, (_e1747 > _e1750));
+                                                                let _e1767 = select(_e1753, _e1765, (_e1765 < _e1753));
+                                                                phi_2461_ = bitcast<f32>((bitcast<u32>((_e220.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1755, _e1747, (_e1747 > _e1755)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1767, _e1763, (_e1763 > _e1767)))) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1759, _e1747, (_e1747 < _e1759)))) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1703 + _e1710) + _e1717))) ^ _e220.member_3[0]))) * 1.0000005f)) ^ _e220.member_3[0])))) ^ _e220.member_3[0]));
                                                             }
-                                                            let _e1612 = phi_2189_;
-                                                            phi_2207_ = (_e1414 || !(((((bitcast<f32>((bitcast<u32>((_e1468.x * _e1495)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1468.y * _e1496)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1468.z * _e1497)) ^ _e218.member_3[0]))) * f32(-(_e1413))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1468.x) & 2147483647u)) * _e1521)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1468.y) & 2147483647u)) * _e1528)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1468.z) & 2147483647u)) * _e1535)) ^ _e218.member_3[0]))))) ^ _e218.member_3[0])) + _e1612) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e1794 = phi_2461_;
+                                                            phi_2479_ = (_e1596 || !(((((bitcast<f32>((bitcast<u32>((_e1650.x * _e1677)) ^ _e220.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1650.y * _e1678)) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1650.z * _e1679)) ^ _e220.member_3[0]))) * f32(-(_e1595))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1650.x) & 2147483647u)) * _e1703)) ^ _e220.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1650.y) & 2147483647u)) * _e1710)) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1650.z) & 2147483647u)) * _e1717)) ^ _e220.member_3[0]))))) ^ _e220.member_3[0])) + _e1794) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e1626 = phi_2207_;
-                                                        phi_2208_ = _e1626;
+                                                        let _e1808 = phi_2479_;
+                                                        phi_2480_ = _e1808;
                                                     }
-                                                    let _e1628 = phi_2208_;
-                                                    if _e1628 {
-                                                        if (_e1400.member < _e948.member.member) {
-                                                            phi_2228_ = true;
+                                                    let _e1810 = phi_2480_;
+                                                    if _e1810 {
+                                                        if (_e1582.member < _e950.member.member) {
+                                                            phi_2500_ = true;
                                                         } else {
-                                                            if (_e1400.member == _e948.member.member) {
-                                                                phi_2227_ = (_e1400.member_3 < _e948.member.member_3);
+                                                            if (_e1582.member == _e950.member.member) {
+                                                                phi_2499_ = (_e1582.member_3 < _e950.member.member_3);
                                                             } else {
-                                                                phi_2227_ = false;
+                                                                phi_2499_ = false;
                                                             }
-                                                            let _e1638 = phi_2227_;
-                                                            phi_2228_ = _e1638;
+                                                            let _e1820 = phi_2499_;
+                                                            phi_2500_ = _e1820;
                                                         }
-                                                        let _e1640 = phi_2228_;
-                                                        if _e1640 {
-                                                            phi_2234_ = type_38(_e1400, _e1400.member);
+                                                        let _e1822 = phi_2500_;
+                                                        if _e1822 {
+                                                            phi_2506_ = type_38(_e1582, _e1582.member);
                                                         } else {
-                                                            phi_2234_ = _e948;
+                                                            phi_2506_ = _e950;
                                                         }
-                                                        let _e1643 = phi_2234_;
-                                                        phi_2235_ = _e1643;
+                                                        let _e1825 = phi_2506_;
+                                                        phi_2507_ = _e1825;
                                                     } else {
-                                                        phi_2235_ = _e948;
+                                                        phi_2507_ = _e950;
                                                     }
-                                                    let _e1645 = phi_2235_;
-                                                    phi_2236_ = _e1645;
+                                                    let _e1827 = phi_2507_;
+                                                    phi_2508_ = _e1827;
                                                 } else {
-                                                    phi_2236_ = _e948;
+                                                    phi_2508_ = _e950;
                                                 }
-                                                let _e1647 = phi_2236_;
-                                                phi_1014_ = _e1647;
+                                                let _e1829 = phi_2508_;
+                                                phi_1019_ = _e1829;
                                             } else {
-                                                phi_1014_ = type_38();
+                                                phi_1019_ = type_38();
                                             }
-                                            let _e1649 = phi_1014_;
+                                            let _e1831 = phi_1019_;
                                             continue;
                                             continuing {
-                                                phi_1013_ = _e1649;
-                                                phi_1016_ = _e963;
-                                                phi_3372_ = _e550;
-                                                break if !(_e969);
+                                                phi_1018_ = _e1831;
+                                                phi_1021_ = _e965;
+                                                phi_3644_ = _e552;
+                                                break if !(_e971);
                                             }
                                         }
-                                        let _e1652 = phi_3372_;
-                                        phi_3528_ = _e1652;
-                                        if _e1652 {
+                                        let _e1834 = phi_3644_;
+                                        phi_3828_ = _e1834;
+                                        if _e1834 {
                                             break;
                                         }
-                                        phi_3532_ = _e1652;
-                                        let _e1860 = local_11;
-                                        phi_3185_ = _e1860;
-                                        phi_3186_ = _e591;
-                                        phi_3187_ = false;
-                                        phi_3188_ = _e595;
+                                        phi_3832_ = _e1834;
+                                        let _e2059 = local_11;
+                                        phi_3457_ = _e2059;
+                                        phi_3458_ = _e593;
+                                        phi_3459_ = false;
+                                        phi_3460_ = _e597;
                                     } else {
-                                        let _e605 = (_e591.member_1 < _e86);
-                                        if _e605 {
-                                            if _e605 {
+                                        let _e607 = (_e593.member_1 < _e88);
+                                        if _e607 {
+                                            if _e607 {
                                             } else {
-                                                phi_3528_ = true;
+                                                phi_3828_ = true;
                                                 break;
                                             }
-                                            let _e607 = global_9.member[_e591.member_1];
-                                            phi_2255_ = _e607;
+                                            let _e609 = global_9.member[_e593.member_1];
+                                            phi_2527_ = _e609;
                                         } else {
-                                            phi_2255_ = type_48(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                            phi_2527_ = type_48(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                         }
-                                        let _e609 = phi_2255_;
-                                        let _e624 = ((10u * _e340) & 31u);
-                                        let _e627 = ((_e609.member[0] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e632 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[0] - _e591.member.member[0]) * 0.0009775171f)) ^ _e129));
-                                        let _e638 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e627) * _e632)) ^ _e129)));
-                                        let _e642 = select(select(_e591.member.member_1[0], _e638, (_e638 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e627 == 1023u));
-                                        let _e644 = ((10u * _e339) & 31u);
-                                        let _e647 = ((_e609.member[0] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e652 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[1] - _e591.member.member[1]) * 0.0009775171f)) ^ _e129));
-                                        let _e658 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e647) * _e652)) ^ _e129)));
-                                        let _e662 = select(select(_e591.member.member_1[1], _e658, (_e658 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e647 == 1023u));
-                                        let _e664 = ((10u * _e341) & 31u);
-                                        let _e667 = ((_e609.member[0] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e672 = bitcast<f32>((bitcast<u32>(((_e591.member.member_1[2] - _e591.member.member[2]) * 0.0009775171f)) ^ _e129));
-                                        let _e678 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e667) * _e672)) ^ _e129)));
-                                        let _e682 = select(select(_e591.member.member_1[2], _e678, (_e678 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e667 == 1023u));
-                                        let _e685 = ((_e609.member[1] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e691 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e685) * _e632)) ^ _e129)));
-                                        let _e695 = select(select(_e591.member.member_1[0], _e691, (_e691 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e685 == 1023u));
-                                        let _e698 = ((_e609.member[1] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e704 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e698) * _e652)) ^ _e129)));
-                                        let _e708 = select(select(_e591.member.member_1[1], _e704, (_e704 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e698 == 1023u));
-                                        let _e711 = ((_e609.member[1] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e717 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e711) * _e672)) ^ _e129)));
-                                        let _e721 = select(select(_e591.member.member_1[2], _e717, (_e717 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e711 == 1023u));
-                                        let _e727 = ((_e609.member_1[0] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e733 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e727) * _e632)) ^ _e129)));
-                                        let _e737 = select(select(_e591.member.member_1[0], _e733, (_e733 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e727 == 1023u));
-                                        let _e740 = ((_e609.member_1[0] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e746 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e740) * _e652)) ^ _e129)));
-                                        let _e750 = select(select(_e591.member.member_1[1], _e746, (_e746 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e740 == 1023u));
-                                        let _e753 = ((_e609.member_1[0] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e759 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e753) * _e672)) ^ _e129)));
-                                        let _e763 = select(select(_e591.member.member_1[2], _e759, (_e759 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e753 == 1023u));
-                                        let _e766 = ((_e609.member_1[1] >> bitcast<u32>(_e624)) & 1023u);
-                                        let _e772 = (_e591.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e766) * _e632)) ^ _e129)));
-                                        let _e776 = select(select(_e591.member.member_1[0], _e772, (_e772 < _e591.member.member_1[0])), _e591.member.member_1[0], (_e766 == 1023u));
-                                        let _e779 = ((_e609.member_1[1] >> bitcast<u32>(_e644)) & 1023u);
-                                        let _e785 = (_e591.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e779) * _e652)) ^ _e129)));
-                                        let _e789 = select(select(_e591.member.member_1[1], _e785, (_e785 < _e591.member.member_1[1])), _e591.member.member_1[1], (_e779 == 1023u));
-                                        let _e792 = ((_e609.member_1[1] >> bitcast<u32>(_e664)) & 1023u);
-                                        let _e798 = (_e591.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e792) * _e672)) ^ _e129)));
-                                        let _e802 = select(select(_e591.member.member_1[2], _e798, (_e798 < _e591.member.member_1[2])), _e591.member.member_1[2], (_e792 == 1023u));
-                                        let _e807 = type_61(type_53(array<f32, 3>(_e642, _e662, _e682), array<f32, 3>(_e695, _e708, _e721)), _e609.member_2);
-                                        let _e812 = type_61(type_53(array<f32, 3>(_e737, _e750, _e763), array<f32, 3>(_e776, _e789, _e802)), _e609.member_3);
-                                        let _e818 = ((_e642 - _e395) * _e400);
-                                        let _e819 = ((_e737 - _e395) * _e400);
-                                        let _e820 = ((_e695 - _e396) * _e400);
-                                        let _e821 = ((_e776 - _e396) * _e400);
-                                        let _e826 = ((_e662 - _e431) * _e436);
-                                        let _e827 = ((_e750 - _e431) * _e436);
-                                        let _e828 = ((_e708 - _e432) * _e436);
-                                        let _e829 = ((_e789 - _e432) * _e436);
-                                        let _e834 = ((_e682 - _e467) * _e472);
-                                        let _e835 = ((_e763 - _e467) * _e472);
-                                        let _e836 = ((_e721 - _e468) * _e472);
-                                        let _e837 = ((_e802 - _e468) * _e472);
-                                        let _e839 = select(_e836, _e834, (_e834 < _e836));
-                                        let _e841 = select(_e837, _e835, (_e835 < _e837));
-                                        let _e843 = select(_e836, _e834, (_e834 > _e836));
-                                        let _e845 = select(_e837, _e835, (_e835 > _e837));
-                                        let _e847 = select(_e820, _e818, (_e818 < _e820));
-                                        let _e849 = select(_e821, _e819, (_e819 < _e821));
-                                        let _e851 = select(_e828, _e826, (_e826 < _e828));
-                                        let _e853 = select(_e829, _e827, (_e827 < _e829));
-                                        let _e855 = select(_e851, _e847, (_e847 > _e851));
+                                        let _e611 = phi_2527_;
+                                        let _e626 = ((10u * _e342) & 31u);
+                                        let _e629 = ((_e611.member[0] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e634 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[0] - _e593.member.member[0]) * 0.0009775171f)) ^ _e131));
+                                        let _e640 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e629) * _e634)) ^ _e131)));
+                                        let _e644 = select(select(_e593.member.member_1[0], _e640, (_e640 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e629 == 1023u));
+                                        let _e646 = ((10u * _e341) & 31u);
+                                        let _e649 = ((_e611.member[0] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e654 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[1] - _e593.member.member[1]) * 0.0009775171f)) ^ _e131));
+                                        let _e660 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e649) * _e654)) ^ _e131)));
+                                        let _e664 = select(select(_e593.member.member_1[1], _e660, (_e660 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e649 == 1023u));
+                                        let _e666 = ((10u * _e343) & 31u);
+                                        let _e669 = ((_e611.member[0] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e674 = bitcast<f32>((bitcast<u32>(((_e593.member.member_1[2] - _e593.member.member[2]) * 0.0009775171f)) ^ _e131));
+                                        let _e680 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e669) * _e674)) ^ _e131)));
+                                        let _e684 = select(select(_e593.member.member_1[2], _e680, (_e680 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e669 == 1023u));
+                                        let _e687 = ((_e611.member[1] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e693 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e687) * _e634)) ^ _e131)));
+                                        let _e697 = select(select(_e593.member.member_1[0], _e693, (_e693 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e687 == 1023u));
+                                        let _e700 = ((_e611.member[1] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e706 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e700) * _e654)) ^ _e131)));
+                                        let _e710 = select(select(_e593.member.member_1[1], _e706, (_e706 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e700 == 1023u));
+                                        let _e713 = ((_e611.member[1] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e719 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e713) * _e674)) ^ _e131)));
+                                        let _e723 = select(select(_e593.member.member_1[2], _e719, (_e719 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e713 == 1023u));
+                                        let _e729 = ((_e611.member_1[0] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e735 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e729) * _e634)) ^ _e131)));
+                                        let _e739 = select(select(_e593.member.member_1[0], _e735, (_e735 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e729 == 1023u));
+                                        let _e742 = ((_e611.member_1[0] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e748 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e742) * _e654)) ^ _e131)));
+                                        let _e752 = select(select(_e593.member.member_1[1], _e748, (_e748 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e742 == 1023u));
+                                        let _e755 = ((_e611.member_1[0] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e761 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e755) * _e674)) ^ _e131)));
+                                        let _e765 = select(select(_e593.member.member_1[2], _e761, (_e761 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e755 == 1023u));
+                                        let _e768 = ((_e611.member_1[1] >> bitcast<u32>(_e626)) & 1023u);
+                                        let _e774 = (_e593.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e768) * _e634)) ^ _e131)));
+                                        let _e778 = select(select(_e593.member.member_1[0], _e774, (_e774 < _e593.member.member_1[0])), _e593.member.member_1[0], (_e768 == 1023u));
+                                        let _e781 = ((_e611.member_1[1] >> bitcast<u32>(_e646)) & 1023u);
+                                        let _e787 = (_e593.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e781) * _e654)) ^ _e131)));
+                                        let _e791 = select(select(_e593.member.member_1[1], _e787, (_e787 < _e593.member.member_1[1])), _e593.member.member_1[1], (_e781 == 1023u));
+                                        let _e794 = ((_e611.member_1[1] >> bitcast<u32>(_e666)) & 1023u);
+                                        let _e800 = (_e593.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e794) * _e674)) ^ _e131)));
+                                        let _e804 = select(select(_e593.member.member_1[2], _e800, (_e800 < _e593.member.member_1[2])), _e593.member.member_1[2], (_e794 == 1023u));
+                                        let _e809 = type_61(type_53(array<f32, 3>(_e644, _e664, _e684), array<f32, 3>(_e697, _e710, _e723)), _e611.member_2);
+                                        let _e814 = type_61(type_53(array<f32, 3>(_e739, _e752, _e765), array<f32, 3>(_e778, _e791, _e804)), _e611.member_3);
+                                        let _e820 = ((_e644 - _e397) * _e402);
+                                        let _e821 = ((_e739 - _e397) * _e402);
+                                        let _e822 = ((_e697 - _e398) * _e402);
+                                        let _e823 = ((_e778 - _e398) * _e402);
+                                        let _e828 = ((_e664 - _e433) * _e438);
+                                        let _e829 = ((_e752 - _e433) * _e438);
+                                        let _e830 = ((_e710 - _e434) * _e438);
+                                        let _e831 = ((_e791 - _e434) * _e438);
+                                        let _e836 = ((_e684 - _e469) * _e474);
+                                        let _e837 = ((_e765 - _e469) * _e474);
+                                        let _e838 = ((_e723 - _e470) * _e474);
+                                        let _e839 = ((_e804 - _e470) * _e474);
+                                        let _e841 = select(_e838, _e836, (_e836 < _e838));
+                                        let _e843 = select(_e839, _e837, (_e837 < _e839));
+                                        let _e845 = select(_e838, _e836, (_e836 > _e838));
+                                        let _e847 = select(_e839, _e837, (_e837 > _e839));
+                                        let _e849 = select(_e822, _e820, (_e820 < _e822));
+                                        let _e851 = select(_e823, _e821, (_e821 < _e823));
+                                        let _e853 = select(_e830, _e828, (_e828 < _e830));
+                                        let _e855 = select(_e831, _e829, (_e829 < _e831));
                                         let _e857 = select(_e853, _e849, (_e849 > _e853));
-                                        let _e859 = select(_e839, _e855, (_e855 > _e839));
+                                        let _e859 = select(_e855, _e851, (_e851 > _e855));
                                         let _e861 = select(_e841, _e857, (_e857 > _e841));
-                                        let _e863 = select(_e820, _e818, (_e818 > _e820));
-                                        let _e865 = select(_e821, _e819, (_e819 > _e821));
-                                        let _e867 = select(_e828, _e826, (_e826 > _e828));
-                                        let _e869 = select(_e829, _e827, (_e827 > _e829));
-                                        let _e871 = select(_e867, _e863, (_e863 < _e867));
+                                        let _e863 = select(_e843, _e859, (_e859 > _e843));
+                                        let _e865 = select(_e822, _e820, (_e820 > _e822));
+                                        let _e867 = select(_e823, _e821, (_e821 > _e823));
+                                        let _e869 = select(_e830, _e828, (_e828 > _e830));
+                                        let _e871 = select(_e831, _e829, (_e829 > _e831));
                                         let _e873 = select(_e869, _e865, (_e865 < _e869));
-                                        let _e878 = -(_e839);
-                                        let _e879 = -(_e841);
-                                        let _e886 = (select(_e843, _e871, (_e871 < _e843)) + (select(_e878, _e843, (_e843 > _e878)) * 0.0000019073523f));
-                                        let _e887 = (select(_e845, _e873, (_e873 < _e845)) + (select(_e879, _e845, (_e845 > _e879)) * 0.0000019073523f));
-                                        let _e889 = select(_e518, _e859, (_e859 > _e518));
-                                        let _e891 = select(_e518, _e861, (_e861 > _e518));
-                                        let _e896 = (_e889 <= select(_e552.member_1, _e886, (_e886 < _e552.member_1)));
-                                        let _e897 = (_e891 <= select(_e552.member_1, _e887, (_e887 < _e552.member_1)));
-                                        let _e898 = (_e889 <= _e891);
-                                        if _e896 {
-                                            if _e897 {
-                                                if _e898 {
-                                                    phi_3087_ = _e812;
+                                        let _e875 = select(_e871, _e867, (_e867 < _e871));
+                                        let _e880 = -(_e841);
+                                        let _e881 = -(_e843);
+                                        let _e888 = (select(_e845, _e873, (_e873 < _e845)) + (select(_e880, _e845, (_e845 > _e880)) * 0.0000019073523f));
+                                        let _e889 = (select(_e847, _e875, (_e875 < _e847)) + (select(_e881, _e847, (_e847 > _e881)) * 0.0000019073523f));
+                                        let _e891 = select(_e520, _e861, (_e861 > _e520));
+                                        let _e893 = select(_e520, _e863, (_e863 > _e520));
+                                        let _e898 = (_e891 <= select(_e554.member_1, _e888, (_e888 < _e554.member_1)));
+                                        let _e899 = (_e893 <= select(_e554.member_1, _e889, (_e889 < _e554.member_1)));
+                                        let _e900 = (_e891 <= _e893);
+                                        if _e898 {
+                                            if _e899 {
+                                                if _e900 {
+                                                    phi_3359_ = _e814;
                                                 } else {
-                                                    phi_3087_ = _e807;
+                                                    phi_3359_ = _e809;
                                                 }
-                                                let _e900 = phi_3087_;
-                                                let _e908 = (_e595 % 128u);
-                                                let _e909 = (_e908 < 128u);
-                                                if _e909 {
+                                                let _e902 = phi_3359_;
+                                                let _e910 = (_e597 % 128u);
+                                                let _e911 = (_e910 < 128u);
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_6[_e908] = _e900.member_1;
-                                                if _e909 {
+                                                local_6[_e910] = _e902.member_1;
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_5[_e908] = _e900.member.member[0];
-                                                if _e909 {
+                                                local_5[_e910] = _e902.member.member[0];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_4[_e908] = _e900.member.member[1];
-                                                if _e909 {
+                                                local_4[_e910] = _e902.member.member[1];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_3[_e908] = _e900.member.member[2];
-                                                if _e909 {
+                                                local_3[_e910] = _e902.member.member[2];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_2[_e908] = _e900.member.member_1[0];
-                                                if _e909 {
+                                                local_2[_e910] = _e902.member.member_1[0];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_1[_e908] = _e900.member.member_1[1];
-                                                if _e909 {
+                                                local_1[_e910] = _e902.member.member_1[1];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local[_e908] = _e900.member.member_1[2];
-                                                if _e909 {
+                                                local[_e910] = _e902.member.member_1[2];
+                                                if _e911 {
                                                 } else {
-                                                    phi_3528_ = true;
+                                                    phi_3828_ = true;
                                                     break;
                                                 }
-                                                local_7[_e908] = select(_e891, _e889, (_e889 > _e891));
-                                                if _e898 {
-                                                    phi_3164_ = _e807;
+                                                local_7[_e910] = select(_e893, _e891, (_e891 > _e893));
+                                                if _e900 {
+                                                    phi_3436_ = _e809;
                                                 } else {
-                                                    phi_3164_ = _e812;
+                                                    phi_3436_ = _e814;
                                                 }
-                                                let _e926 = phi_3164_;
-                                                phi_3165_ = _e926;
-                                                phi_3166_ = (_e595 + 1u);
+                                                let _e928 = phi_3436_;
+                                                phi_3437_ = _e928;
+                                                phi_3438_ = (_e597 + 1u);
                                             } else {
-                                                phi_3165_ = type_61();
-                                                phi_3166_ = u32();
+                                                phi_3437_ = type_61();
+                                                phi_3438_ = u32();
                                             }
-                                            let _e928 = phi_3165_;
-                                            let _e930 = phi_3166_;
-                                            phi_3168_ = _e928;
-                                            phi_3169_ = _e930;
-                                            phi_3170_ = select(true, false, _e897);
+                                            let _e930 = phi_3437_;
+                                            let _e932 = phi_3438_;
+                                            phi_3440_ = _e930;
+                                            phi_3441_ = _e932;
+                                            phi_3442_ = select(true, false, _e899);
                                         } else {
-                                            phi_3168_ = type_61();
-                                            phi_3169_ = u32();
-                                            phi_3170_ = true;
+                                            phi_3440_ = type_61();
+                                            phi_3441_ = u32();
+                                            phi_3442_ = true;
                                         }
-                                        let _e933 = phi_3168_;
-                                        let _e935 = phi_3169_;
-                                        let _e937 = phi_3170_;
-                                        if _e937 {
-                                            if _e896 {
-                                                phi_3177_ = _e807;
+                                        let _e935 = phi_3440_;
+                                        let _e937 = phi_3441_;
+                                        let _e939 = phi_3442_;
+                                        if _e939 {
+                                            if _e898 {
+                                                phi_3449_ = _e809;
                                             } else {
-                                                phi_3177_ = _e812;
+                                                phi_3449_ = _e814;
                                             }
-                                            let _e939 = phi_3177_;
-                                            phi_3182_ = _e939;
-                                            phi_3183_ = select(_e897, true, _e896);
+                                            let _e941 = phi_3449_;
+                                            phi_3454_ = _e941;
+                                            phi_3455_ = select(_e899, true, _e898);
                                         } else {
-                                            phi_3182_ = _e933;
-                                            phi_3183_ = _e593;
+                                            phi_3454_ = _e935;
+                                            phi_3455_ = _e595;
                                         }
-                                        let _e942 = phi_3182_;
-                                        let _e944 = phi_3183_;
-                                        phi_3532_ = _e550;
-                                        phi_3185_ = _e552;
-                                        phi_3186_ = _e942;
-                                        phi_3187_ = _e944;
-                                        phi_3188_ = select(_e935, _e595, _e937);
+                                        let _e944 = phi_3454_;
+                                        let _e946 = phi_3455_;
+                                        phi_3832_ = _e552;
+                                        phi_3457_ = _e554;
+                                        phi_3458_ = _e944;
+                                        phi_3459_ = _e946;
+                                        phi_3460_ = select(_e937, _e597, _e939);
                                     }
-                                    let _e1654 = phi_3532_;
-                                    let _e1656 = phi_3185_;
-                                    let _e1658 = phi_3186_;
-                                    let _e1660 = phi_3187_;
-                                    let _e1662 = phi_3188_;
-                                    phi_3531_ = _e1654;
-                                    phi_3189_ = _e1656;
-                                    phi_3190_ = _e1658;
-                                    phi_3191_ = (_e556 - 1u);
-                                    phi_3192_ = _e1660;
-                                    phi_3193_ = _e1662;
+                                    let _e1836 = phi_3832_;
+                                    let _e1838 = phi_3457_;
+                                    let _e1840 = phi_3458_;
+                                    let _e1842 = phi_3459_;
+                                    let _e1844 = phi_3460_;
+                                    phi_3831_ = _e1836;
+                                    phi_3461_ = _e1838;
+                                    phi_3462_ = _e1840;
+                                    phi_3463_ = (_e558 - 1u);
+                                    phi_3464_ = _e1842;
+                                    phi_3465_ = _e1844;
                                 } else {
-                                    phi_3531_ = _e550;
-                                    phi_3189_ = _e552;
-                                    phi_3190_ = _e591;
-                                    phi_3191_ = _e556;
-                                    phi_3192_ = _e593;
-                                    phi_3193_ = _e595;
+                                    phi_3831_ = _e552;
+                                    phi_3461_ = _e554;
+                                    phi_3462_ = _e593;
+                                    phi_3463_ = _e558;
+                                    phi_3464_ = _e595;
+                                    phi_3465_ = _e597;
                                 }
-                                let _e1664 = phi_3531_;
-                                let _e1666 = phi_3189_;
-                                let _e1668 = phi_3190_;
-                                let _e1670 = phi_3191_;
-                                let _e1672 = phi_3192_;
-                                let _e1674 = phi_3193_;
-                                phi_3530_ = _e1664;
-                                phi_3194_ = _e1666;
-                                phi_3195_ = _e1668;
-                                phi_3196_ = _e1670;
-                                phi_3197_ = _e1672;
-                                phi_3198_ = _e1674;
+                                let _e1846 = phi_3831_;
+                                let _e1848 = phi_3461_;
+                                let _e1850 = phi_3462_;
+                                let _e1852 = phi_3463_;
+                                let _e1854 = phi_3464_;
+                                let _e1856 = phi_3465_;
+                                phi_3830_ = _e1846;
+                                phi_3466_ = _e1848;
+                                phi_3467_ = _e1850;
+                                phi_3468_ = _e1852;
+                                phi_3469_ = _e1854;
+                                phi_3470_ = _e1856;
                             } else {
-                                phi_3530_ = _e550;
-                                phi_3194_ = type_38();
-                                phi_3195_ = type_61();
-                                phi_3196_ = u32();
-                                phi_3197_ = bool();
-                                phi_3198_ = u32();
+                                phi_3830_ = _e552;
+                                phi_3466_ = type_38();
+                                phi_3467_ = type_61();
+                                phi_3468_ = u32();
+                                phi_3469_ = bool();
+                                phi_3470_ = u32();
                             }
-                            let _e1676 = phi_3530_;
-                            let _e1678 = phi_3194_;
-                            let _e1680 = phi_3195_;
-                            let _e1682 = phi_3196_;
-                            let _e1684 = phi_3197_;
-                            let _e1686 = phi_3198_;
-                            phi_3529_ = _e1676;
-                            phi_887_ = _e1678;
-                            phi_890_ = _e1680;
-                            phi_892_ = _e1682;
-                            phi_894_ = _e1684;
-                            phi_896_ = _e1686;
-                            phi_3199_ = _e564;
+                            let _e1858 = phi_3830_;
+                            let _e1860 = phi_3466_;
+                            let _e1862 = phi_3467_;
+                            let _e1864 = phi_3468_;
+                            let _e1866 = phi_3469_;
+                            let _e1868 = phi_3470_;
+                            phi_3829_ = _e1858;
+                            phi_892_ = _e1860;
+                            phi_895_ = _e1862;
+                            phi_897_ = _e1864;
+                            phi_899_ = _e1866;
+                            phi_901_ = _e1868;
+                            phi_3471_ = _e566;
                         } else {
-                            phi_3529_ = _e550;
-                            phi_887_ = type_38();
-                            phi_890_ = type_61();
-                            phi_892_ = u32();
-                            phi_894_ = bool();
-                            phi_896_ = u32();
-                            phi_3199_ = false;
+                            phi_3829_ = _e552;
+                            phi_892_ = type_38();
+                            phi_895_ = type_61();
+                            phi_897_ = u32();
+                            phi_899_ = bool();
+                            phi_901_ = u32();
+                            phi_3471_ = false;
                         }
-                        let _e1688 = phi_3529_;
-                        let _e1690 = phi_887_;
-                        let _e1692 = phi_890_;
-                        let _e1694 = phi_892_;
-                        let _e1696 = phi_894_;
-                        let _e1698 = phi_896_;
-                        let _e1700 = phi_3199_;
+                        let _e1870 = phi_3829_;
+                        let _e1872 = phi_892_;
+                        let _e1874 = phi_895_;
+                        let _e1876 = phi_897_;
+                        let _e1878 = phi_899_;
+                        let _e1880 = phi_901_;
+                        let _e1882 = phi_3471_;
                         continue;
                         continuing {
-                            phi_3378_ = _e1688;
-                            phi_886_ = _e1690;
-                            phi_889_ = _e1692;
-                            phi_891_ = _e1694;
-                            phi_893_ = _e1696;
-                            phi_895_ = _e1698;
-                            phi_3528_ = _e1688;
-                            break if !(_e1700);
+                            phi_3650_ = _e1870;
+                            phi_891_ = _e1872;
+                            phi_894_ = _e1874;
+                            phi_896_ = _e1876;
+                            phi_898_ = _e1878;
+                            phi_900_ = _e1880;
+                            phi_3828_ = _e1870;
+                            break if !(_e1882);
                         }
                     }
-                    let _e1703 = phi_3528_;
-                    if _e1703 {
+                    let _e1885 = phi_3828_;
+                    if _e1885 {
                         break;
                     }
-                    let _e1705 = local_10;
-                    if (_e1705.member.member_3 != 4294967295u) {
-                        let _e1710 = (_e342 / 3i);
-                        let _e1717 = bitcast<f32>((bitcast<u32>((_e1710 + 127i)) << bitcast<u32>(23i)));
-                        let _e1725 = (((_e1705.member.member * _e1717) * _e1717) * bitcast<f32>((bitcast<u32>(((_e342 - (2i * _e1710)) + 127i)) << bitcast<u32>(23i))));
-                        let _e1727 = select(340282350000000000000000000000000000000f, _e1725, (_e1725 < 340282350000000000000000000000000000000f));
-                        phi_3251_ = type_22(select(-340282350000000000000000000000000000000f, _e1727, (_e1727 > -340282350000000000000000000000000000000f)), _e1705.member.member_1, _e1705.member.member_2, _e1705.member.member_3);
+                    let _e1887 = local_10;
+                    if (_e1887.member.member_3 != 4294967295u) {
+                        let _e1892 = (_e344 / 3i);
+                        let _e1899 = bitcast<f32>((bitcast<u32>((_e1892 + 127i)) << bitcast<u32>(23i)));
+                        let _e1907 = (((_e1887.member.member * _e1899) * _e1899) * bitcast<f32>((bitcast<u32>(((_e344 - (2i * _e1892)) + 127i)) << bitcast<u32>(23i))));
+                        let _e1909 = select(340282350000000000000000000000000000000f, _e1907, (_e1907 < 340282350000000000000000000000000000000f));
+                        phi_3523_ = type_22(select(-340282350000000000000000000000000000000f, _e1909, (_e1909 > -340282350000000000000000000000000000000f)), _e1887.member.member_1, _e1887.member.member_2, _e1887.member.member_3);
                     } else {
-                        phi_3251_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_3523_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e1734 = phi_3251_;
-                    if _e219 {
-                    } else {
-                        break;
-                    }
-                    global_7.member[_e133] = _e1734;
-                    if _e140 {
+                    let _e1916 = phi_3523_;
+                    if _e221 {
                     } else {
                         break;
                     }
-                    let _e1738 = select(0u, 1u, (_e286 <= _e296));
-                    if (_e1738 > 0u) {
-                        let _e1740 = (1u < _e101);
-                        if _e1740 {
-                            if (0u < _e101) {
+                    global_7.member[_e135] = _e1916;
+                    if _e142 {
+                    } else {
+                        break;
+                    }
+                    let _e1920 = select(0u, 1u, (_e288 <= _e298));
+                    if (_e1920 > 0u) {
+                        let _e1922 = (1u < _e103);
+                        if _e1922 {
+                            if (0u < _e103) {
                             } else {
                                 break;
                             }
-                            let _e1744 = atomicAdd((&global_8.member[0u]), _e1738);
-                            if ((_e1744 + _e1738) < _e1744) {
-                                if _e1740 {
+                            let _e1926 = atomicAdd((&global_8.member[0u]), _e1920);
+                            if ((_e1926 + _e1920) < _e1926) {
+                                if _e1922 {
                                 } else {
                                     break;
                                 }
-                                let _e1749 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e1931 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e1752 = select(0u, 1u, (_e1734.member_3 != 4294967295u));
-                    if (_e1752 > 0u) {
-                        let _e1754 = (3u < _e101);
-                        if _e1754 {
-                            if (2u < _e101) {
+                    let _e1934 = select(0u, 1u, (_e1916.member_3 != 4294967295u));
+                    if (_e1934 > 0u) {
+                        let _e1936 = (3u < _e103);
+                        if _e1936 {
+                            if (2u < _e103) {
                             } else {
                                 break;
                             }
-                            let _e1758 = atomicAdd((&global_8.member[2u]), _e1752);
-                            if ((_e1758 + _e1752) < _e1758) {
-                                if _e1754 {
+                            let _e1940 = atomicAdd((&global_8.member[2u]), _e1934);
+                            if ((_e1940 + _e1934) < _e1940) {
+                                if _e1936 {
                                 } else {
                                     break;
                                 }
-                                let _e1763 = atomicAdd((&global_8.member[3u]), 1u);
+                                let _e1945 = atomicAdd((&global_8.member[3u]), 1u);
                             }
                         }
                     }

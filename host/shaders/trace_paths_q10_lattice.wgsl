@@ -118,460 +118,477 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_327_: u32;
-    var phi_371_: i32;
-    var phi_395_: type_39;
-    var phi_501_: i32;
-    var phi_502_: i32;
-    var phi_512_: bool;
-    var phi_522_: u32;
-    var phi_523_: u32;
-    var phi_525_: bool;
-    var phi_530_: u32;
-    var phi_562_: i32;
-    var phi_580_: f32;
+    var phi_333_: u32;
+    var phi_377_: i32;
+    var phi_401_: type_39;
+    var phi_507_: i32;
+    var phi_508_: i32;
+    var phi_518_: bool;
+    var phi_528_: u32;
+    var phi_529_: u32;
+    var phi_531_: bool;
+    var phi_536_: u32;
+    var phi_568_: i32;
     var phi_586_: f32;
-    var phi_597_: f32;
+    var phi_592_: f32;
     var phi_603_: f32;
-    var phi_626_: f32;
-    var phi_637_: f32;
-    var phi_646_: f32;
+    var phi_609_: f32;
+    var phi_632_: f32;
+    var phi_643_: f32;
     var phi_652_: f32;
-    var phi_663_: f32;
+    var phi_658_: f32;
     var phi_669_: f32;
-    var phi_692_: f32;
-    var phi_703_: f32;
-    var phi_712_: f32;
+    var phi_675_: f32;
+    var phi_698_: f32;
+    var phi_709_: f32;
     var phi_718_: f32;
-    var phi_729_: f32;
+    var phi_724_: f32;
     var phi_735_: f32;
-    var phi_758_: f32;
-    var phi_769_: f32;
-    var phi_869_: f32;
-    var phi_870_: f32;
-    var phi_4323_: bool;
-    var phi_959_: type_42;
-    var phi_962_: type_57;
-    var phi_964_: u32;
-    var phi_966_: bool;
-    var phi_968_: u32;
-    var phi_979_: bool;
-    var phi_1065_: type_57;
-    var phi_1066_: bool;
-    var phi_1067_: u32;
-    var phi_3235_: u32;
-    var phi_3241_: u32;
-    var phi_3495_: u32;
-    var phi_3496_: u32;
-    var phi_3506_: u32;
+    var phi_741_: f32;
+    var phi_764_: f32;
+    var phi_775_: f32;
+    var phi_875_: f32;
+    var phi_876_: f32;
+    var phi_4596_: bool;
+    var phi_965_: type_42;
+    var phi_968_: type_57;
+    var phi_970_: u32;
+    var phi_972_: bool;
+    var phi_974_: u32;
+    var phi_985_: bool;
+    var phi_1071_: type_57;
+    var phi_1072_: bool;
+    var phi_1073_: u32;
     var phi_3508_: u32;
-    var phi_3509_: bool;
-    var phi_3529_: u32;
-    var phi_3530_: u32;
-    var phi_3534_: type_58;
-    var phi_3878_: type_57;
-    var phi_3955_: type_57;
-    var phi_3956_: type_57;
-    var phi_3957_: u32;
-    var phi_3959_: type_57;
-    var phi_3960_: u32;
-    var phi_3961_: bool;
-    var phi_3970_: type_57;
-    var phi_3975_: type_57;
-    var phi_3976_: bool;
-    var phi_1086_: type_42;
-    var phi_1089_: type_8;
-    var phi_1090_: type_8;
-    var phi_1112_: type_8;
-    var phi_1153_: u32;
+    var phi_3514_: u32;
+    var phi_3768_: u32;
+    var phi_3769_: u32;
+    var phi_3779_: u32;
+    var phi_3781_: u32;
+    var phi_3782_: bool;
+    var phi_3802_: u32;
+    var phi_3803_: u32;
+    var phi_3807_: type_58;
+    var phi_4151_: type_57;
+    var phi_4228_: type_57;
+    var phi_4229_: type_57;
+    var phi_4230_: u32;
+    var phi_4232_: type_57;
+    var phi_4233_: u32;
+    var phi_4234_: bool;
+    var phi_4243_: type_57;
+    var phi_4248_: type_57;
+    var phi_4249_: bool;
+    var phi_1092_: type_42;
+    var phi_1095_: type_8;
+    var phi_1096_: type_8;
+    var phi_1118_: type_8;
     var phi_1159_: u32;
-    var phi_1169_: u32;
-    var phi_1185_: u32;
-    var phi_1218_: u32;
+    var phi_1165_: u32;
+    var phi_1175_: u32;
+    var phi_1191_: u32;
     var phi_1224_: u32;
-    var phi_1651_: u32;
-    var phi_1669_: u32;
-    var phi_1687_: u32;
-    var phi_1707_: u32;
-    var phi_1725_: u32;
-    var phi_1743_: u32;
-    var phi_1763_: u32;
-    var phi_1781_: u32;
-    var phi_1799_: u32;
-    var phi_1377_: u32;
-    var phi_1392_: u32;
-    var phi_1402_: u32;
-    var phi_1422_: u32;
-    var phi_1442_: u32;
-    var phi_1468_: u32;
-    var phi_1483_: u32;
-    var phi_1493_: u32;
-    var phi_1513_: u32;
-    var phi_1533_: u32;
-    var phi_1559_: u32;
-    var phi_1574_: u32;
-    var phi_1584_: u32;
-    var phi_1604_: u32;
-    var phi_1624_: u32;
-    var phi_1248_: u32;
-    var phi_1291_: u32;
-    var phi_1334_: u32;
-    var phi_1805_: array<array<f32, 3>, 3>;
-    var phi_2276_: vec3<f32>;
-    var phi_2277_: vec3<f32>;
-    var phi_2308_: bool;
-    var phi_2317_: vec3<f32>;
-    var phi_2357_: type_25;
-    var phi_2359_: type_25;
-    var phi_2360_: bool;
-    var phi_2364_: type_25;
-    var phi_2365_: type_25;
-    var phi_2366_: type_25;
-    var phi_2367_: bool;
-    var phi_2371_: type_25;
-    var phi_2372_: bool;
-    var phi_2376_: type_25;
-    var phi_2377_: bool;
-    var phi_2381_: type_25;
-    var phi_2404_: u32;
-    var phi_2418_: i32;
-    var phi_2438_: vec3<f32>;
-    var phi_2439_: vec3<f32>;
-    var phi_2455_: vec3<f32>;
-    var phi_2456_: vec3<f32>;
-    var phi_2472_: vec3<f32>;
-    var phi_2473_: vec3<f32>;
-    var phi_2509_: vec3<f32>;
-    var phi_2691_: f32;
-    var phi_2709_: bool;
-    var phi_2710_: bool;
-    var phi_2729_: bool;
-    var phi_2730_: bool;
-    var phi_2736_: type_42;
-    var phi_2737_: type_42;
-    var phi_2738_: type_42;
-    var phi_1087_: type_42;
-    var phi_4317_: bool;
-    var phi_4506_: bool;
-    var phi_3978_: type_42;
-    var phi_3979_: type_57;
-    var phi_3980_: bool;
-    var phi_3981_: u32;
-    var phi_4505_: bool;
-    var phi_3982_: type_42;
-    var phi_3983_: type_57;
-    var phi_3984_: u32;
-    var phi_3985_: bool;
-    var phi_3986_: u32;
-    var phi_4504_: bool;
-    var phi_3987_: type_42;
-    var phi_3988_: type_57;
-    var phi_3989_: u32;
-    var phi_3990_: bool;
-    var phi_3991_: u32;
-    var phi_4503_: bool;
-    var phi_960_: type_42;
-    var phi_963_: type_57;
-    var phi_965_: u32;
-    var phi_967_: bool;
-    var phi_969_: u32;
-    var phi_3992_: bool;
-    var phi_4502_: bool;
+    var phi_1230_: u32;
+    var phi_1657_: u32;
+    var phi_1675_: u32;
+    var phi_1693_: u32;
+    var phi_1713_: u32;
+    var phi_1731_: u32;
+    var phi_1749_: u32;
+    var phi_1769_: u32;
+    var phi_1787_: u32;
+    var phi_1805_: u32;
+    var phi_1383_: u32;
+    var phi_1398_: u32;
+    var phi_1408_: u32;
+    var phi_1428_: u32;
+    var phi_1448_: u32;
+    var phi_1474_: u32;
+    var phi_1489_: u32;
+    var phi_1499_: u32;
+    var phi_1519_: u32;
+    var phi_1539_: u32;
+    var phi_1565_: u32;
+    var phi_1580_: u32;
+    var phi_1590_: u32;
+    var phi_1610_: u32;
+    var phi_1630_: u32;
+    var phi_1254_: u32;
+    var phi_1297_: u32;
+    var phi_1340_: u32;
+    var phi_1811_: array<array<f32, 3>, 3>;
+    var phi_1928_: bool;
+    var phi_1957_: bool;
+    var phi_2358_: f32;
+    var phi_2359_: f32;
+    var phi_2360_: f32;
+    var phi_2361_: f32;
+    var phi_2362_: vec3<f32>;
+    var phi_2363_: vec3<f32>;
+    var phi_2364_: vec3<f32>;
+    var phi_2365_: vec3<f32>;
+    var phi_2396_: bool;
+    var phi_2405_: vec3<f32>;
+    var phi_2572_: bool;
+    var phi_2596_: f32;
+    var phi_2597_: f32;
+    var phi_2620_: type_25;
+    var phi_2622_: type_25;
+    var phi_2623_: bool;
+    var phi_2627_: type_25;
+    var phi_2628_: type_25;
+    var phi_2629_: type_25;
+    var phi_2630_: bool;
+    var phi_2634_: type_25;
+    var phi_2635_: bool;
+    var phi_2636_: type_25;
+    var phi_2637_: bool;
+    var phi_2638_: bool;
+    var phi_2639_: type_25;
+    var phi_2640_: bool;
+    var phi_2641_: bool;
+    var phi_2649_: type_25;
+    var phi_2650_: bool;
+    var phi_2654_: type_25;
+    var phi_2677_: u32;
+    var phi_2691_: i32;
+    var phi_2711_: vec3<f32>;
+    var phi_2712_: vec3<f32>;
+    var phi_2728_: vec3<f32>;
+    var phi_2729_: vec3<f32>;
+    var phi_2745_: vec3<f32>;
+    var phi_2746_: vec3<f32>;
+    var phi_2782_: vec3<f32>;
+    var phi_2964_: f32;
+    var phi_2982_: bool;
+    var phi_2983_: bool;
+    var phi_3002_: bool;
+    var phi_3003_: bool;
+    var phi_3009_: type_42;
+    var phi_3010_: type_42;
+    var phi_3011_: type_42;
+    var phi_1093_: type_42;
+    var phi_4590_: bool;
+    var phi_4807_: bool;
+    var phi_4251_: type_42;
+    var phi_4252_: type_57;
+    var phi_4253_: bool;
+    var phi_4254_: u32;
+    var phi_4806_: bool;
+    var phi_4255_: type_42;
+    var phi_4256_: type_57;
+    var phi_4257_: u32;
+    var phi_4258_: bool;
+    var phi_4259_: u32;
+    var phi_4805_: bool;
+    var phi_4260_: type_42;
+    var phi_4261_: type_57;
+    var phi_4262_: u32;
+    var phi_4263_: bool;
+    var phi_4264_: u32;
+    var phi_4804_: bool;
+    var phi_966_: type_42;
+    var phi_969_: type_57;
+    var phi_971_: u32;
+    var phi_973_: bool;
+    var phi_975_: u32;
+    var phi_4265_: bool;
+    var phi_4803_: bool;
     var local_10: type_42;
-    var phi_4044_: type_25;
+    var phi_4317_: type_25;
     var local_11: type_42;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e100 = arrayLength((&global_4.member));
-            let _e103 = arrayLength((&global_10.member));
-            let _e115 = arrayLength((&global_9.member));
-            let _e119 = global_3.member[0u][0u];
-            let _e123 = global_3.member[0u][1u];
-            let _e127 = global_3.member[0u][2u];
-            let _e131 = global_3.member[0u][3u];
-            let _e135 = global_3.member[1u][0u];
-            let _e139 = global_3.member[1u][1u];
-            let _e143 = global_3.member[1u][2u];
-            let _e147 = (_e98.x + (_e98.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_7.member)));
-            if _e162 {
-                if _e162 {
+            let _e100 = global;
+            let _e102 = arrayLength((&global_4.member));
+            let _e105 = arrayLength((&global_10.member));
+            let _e117 = arrayLength((&global_9.member));
+            let _e121 = global_3.member[0u][0u];
+            let _e125 = global_3.member[0u][1u];
+            let _e129 = global_3.member[0u][2u];
+            let _e133 = global_3.member[0u][3u];
+            let _e137 = global_3.member[1u][0u];
+            let _e141 = global_3.member[1u][1u];
+            let _e145 = global_3.member[1u][2u];
+            let _e149 = (_e100.x + (_e100.y * 2097152u));
+            let _e161 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e133) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            local = array<i32, 3>(bitcast<i32>(_e137), bitcast<i32>(_e141), bitcast<i32>(_e145));
+            let _e164 = (_e149 < arrayLength((&global_7.member)));
+            if _e164 {
+                if _e164 {
                 } else {
                     break;
                 }
-                let _e166 = global_7.member[_e147].member_2;
-                phi_327_ = _e166;
+                let _e168 = global_7.member[_e149].member_2;
+                phi_333_ = _e168;
             } else {
-                phi_327_ = 4294967295u;
+                phi_333_ = 4294967295u;
             }
-            let _e168 = phi_327_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_2.member[0u][0u];
-            let _e179 = global_2.member[0u][1u];
-            let _e183 = global_2.member[0u][2u];
-            let _e187 = global_2.member[0u][3u];
-            let _e191 = global_2.member[1u][0u];
-            let _e195 = global_2.member[1u][1u];
-            let _e199 = global_2.member[1u][2u];
-            let _e203 = global_2.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
-                phi_371_ = -126i;
+            let _e170 = phi_333_;
+            let _e173 = global_1.member[0u];
+            let _e177 = global_2.member[0u][0u];
+            let _e181 = global_2.member[0u][1u];
+            let _e185 = global_2.member[0u][2u];
+            let _e189 = global_2.member[0u][3u];
+            let _e193 = global_2.member[1u][0u];
+            let _e197 = global_2.member[1u][1u];
+            let _e201 = global_2.member[1u][2u];
+            let _e205 = global_2.member[1u][3u];
+            let _e206 = bitcast<f32>(_e177);
+            let _e207 = bitcast<f32>(_e181);
+            let _e208 = bitcast<f32>(_e185);
+            let _e210 = bitcast<f32>(_e193);
+            let _e211 = array<u32, 3>(_e197, _e201, _e205);
+            let _e213 = bitcast<i32>(_e173);
+            if (_e213 < -126i) {
+                phi_377_ = -126i;
             } else {
-                phi_371_ = select(_e211, 127i, (_e211 > 127i));
+                phi_377_ = select(_e213, 127i, (_e213 > 127i));
             }
-            let _e216 = phi_371_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_395_ = type_39(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e218 = phi_377_;
+            let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
+            let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
+            if (_e189 == 0u) {
+                phi_401_ = type_39(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
             } else {
-                phi_395_ = type_39(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
+                phi_401_ = type_39(array<f32, 3>(((_e206 * _e223) * _e229), ((_e207 * _e223) * _e229), ((_e208 * _e223) * _e229)), _e189, ((_e210 * _e223) * _e229), _e211);
             }
-            let _e240 = phi_395_;
-            if _e162 {
-                let _e241 = (_e147 < arrayLength((&global_8.member)));
-                if _e241 {
-                    if _e162 {
+            let _e242 = phi_401_;
+            if _e164 {
+                let _e243 = (_e149 < arrayLength((&global_8.member)));
+                if _e243 {
+                    if _e164 {
                     } else {
                         break;
                     }
-                    let _e251 = global_7.member[_e147].member.member_2[0u];
-                    let _e253 = (bitcast<u32>(_e251) & 2147483647u);
-                    let _e259 = global_7.member[_e147].member.member_2[1u];
-                    let _e261 = (bitcast<u32>(_e259) & 2147483647u);
-                    let _e267 = global_7.member[_e147].member.member_2[2u];
-                    let _e269 = (bitcast<u32>(_e267) & 2147483647u);
-                    let _e275 = global_7.member[_e147].member.member[0u];
-                    let _e277 = (bitcast<u32>(_e275) & 2147483647u);
-                    let _e283 = global_7.member[_e147].member.member[1u];
-                    let _e285 = (bitcast<u32>(_e283) & 2147483647u);
-                    let _e291 = global_7.member[_e147].member.member[2u];
-                    let _e293 = (bitcast<u32>(_e291) & 2147483647u);
-                    let _e295 = select(_e261, _e253, (_e261 < _e253));
-                    let _e297 = select(_e269, _e295, (_e269 < _e295));
-                    let _e299 = select(_e277, _e297, (_e277 < _e297));
-                    let _e301 = select(_e285, _e299, (_e285 < _e299));
-                    let _e303 = select(_e293, _e301, (_e293 < _e301));
-                    let _e308 = global_7.member[_e147].member.member_1;
-                    let _e310 = (bitcast<u32>(_e308) & 2147483647u);
-                    let _e318 = global_7.member[_e147].member.member_3;
-                    let _e324 = (((select(_e310, _e303, (_e310 < _e303)) < 2139095040u) && ((bitcast<u32>(_e318) & 2147483647u) <= 2139095040u)) && (_e297 > 0u));
-                    if _e324 {
-                        let _e327 = (bitcast<u32>(bitcast<f32>(_e297)) & 2147483647u);
-                        if (_e327 >= 8388608u) {
-                            phi_501_ = (bitcast<i32>((_e327 >> bitcast<u32>(23i))) - 127i);
+                    let _e253 = global_7.member[_e149].member.member_2[0u];
+                    let _e255 = (bitcast<u32>(_e253) & 2147483647u);
+                    let _e261 = global_7.member[_e149].member.member_2[1u];
+                    let _e263 = (bitcast<u32>(_e261) & 2147483647u);
+                    let _e269 = global_7.member[_e149].member.member_2[2u];
+                    let _e271 = (bitcast<u32>(_e269) & 2147483647u);
+                    let _e277 = global_7.member[_e149].member.member[0u];
+                    let _e279 = (bitcast<u32>(_e277) & 2147483647u);
+                    let _e285 = global_7.member[_e149].member.member[1u];
+                    let _e287 = (bitcast<u32>(_e285) & 2147483647u);
+                    let _e293 = global_7.member[_e149].member.member[2u];
+                    let _e295 = (bitcast<u32>(_e293) & 2147483647u);
+                    let _e297 = select(_e263, _e255, (_e263 < _e255));
+                    let _e299 = select(_e271, _e297, (_e271 < _e297));
+                    let _e301 = select(_e279, _e299, (_e279 < _e299));
+                    let _e303 = select(_e287, _e301, (_e287 < _e301));
+                    let _e305 = select(_e295, _e303, (_e295 < _e303));
+                    let _e310 = global_7.member[_e149].member.member_1;
+                    let _e312 = (bitcast<u32>(_e310) & 2147483647u);
+                    let _e320 = global_7.member[_e149].member.member_3;
+                    let _e326 = (((select(_e312, _e305, (_e312 < _e305)) < 2139095040u) && ((bitcast<u32>(_e320) & 2147483647u) <= 2139095040u)) && (_e299 > 0u));
+                    if _e326 {
+                        let _e329 = (bitcast<u32>(bitcast<f32>(_e299)) & 2147483647u);
+                        if (_e329 >= 8388608u) {
+                            phi_507_ = (bitcast<i32>((_e329 >> bitcast<u32>(23i))) - 127i);
                         } else {
-                            phi_501_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e327)), 32u, (_e327 == 0u))));
+                            phi_507_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e329)), 32u, (_e329 == 0u))));
                         }
-                        let _e341 = phi_501_;
-                        phi_502_ = _e341;
+                        let _e343 = phi_507_;
+                        phi_508_ = _e343;
                     } else {
-                        phi_502_ = 0i;
+                        phi_508_ = 0i;
                     }
-                    let _e343 = phi_502_;
-                    let _e344 = (_e253 == _e297);
-                    if _e344 {
-                        phi_512_ = true;
+                    let _e345 = phi_508_;
+                    let _e346 = (_e255 == _e299);
+                    if _e346 {
+                        phi_518_ = true;
                     } else {
-                        phi_512_ = (_e261 == _e297);
+                        phi_518_ = (_e263 == _e299);
                     }
-                    let _e347 = phi_512_;
-                    let _e348 = select(1u, 0u, _e344);
-                    if _e347 {
-                        let _e349 = (_e348 + 1u);
-                        phi_522_ = _e349;
-                        phi_523_ = _e349;
-                        phi_525_ = select(true, false, (_e349 == 2u));
+                    let _e349 = phi_518_;
+                    let _e350 = select(1u, 0u, _e346);
+                    if _e349 {
+                        let _e351 = (_e350 + 1u);
+                        phi_528_ = _e351;
+                        phi_529_ = _e351;
+                        phi_531_ = select(true, false, (_e351 == 2u));
                     } else {
-                        phi_522_ = u32();
-                        phi_523_ = 0u;
-                        phi_525_ = true;
+                        phi_528_ = u32();
+                        phi_529_ = 0u;
+                        phi_531_ = true;
                     }
-                    let _e353 = phi_522_;
-                    let _e355 = phi_523_;
-                    let _e357 = phi_525_;
-                    if _e357 {
-                        phi_530_ = (_e355 + 1u);
+                    let _e355 = phi_528_;
+                    let _e357 = phi_529_;
+                    let _e359 = phi_531_;
+                    if _e359 {
+                        phi_536_ = (_e357 + 1u);
                     } else {
-                        phi_530_ = 0u;
+                        phi_536_ = 0u;
                     }
-                    let _e361 = phi_530_;
-                    let _e362 = select(_e353, _e355, _e357);
-                    let _e363 = select(_e348, select(2u, _e348, _e347), _e357);
-                    let _e364 = -(_e343);
-                    if (_e364 < -126i) {
-                        phi_562_ = -126i;
+                    let _e363 = phi_536_;
+                    let _e364 = select(_e355, _e357, _e359);
+                    let _e365 = select(_e350, select(2u, _e350, _e349), _e359);
+                    let _e366 = -(_e345);
+                    if (_e366 < -126i) {
+                        phi_568_ = -126i;
                     } else {
-                        phi_562_ = select(_e364, 127i, (_e364 > 127i));
+                        phi_568_ = select(_e366, 127i, (_e366 > 127i));
                     }
-                    let _e369 = phi_562_;
-                    let _e374 = bitcast<f32>((bitcast<u32>((_e369 + 127i)) << bitcast<u32>(23i)));
-                    let _e380 = bitcast<f32>((bitcast<u32>(((_e364 - _e369) + 127i)) << bitcast<u32>(23i)));
-                    let _e385 = global_7.member[_e147].member.member;
-                    let _e386 = (_e362 == 0u);
-                    if _e386 {
-                        phi_580_ = _e385[0];
+                    let _e371 = phi_568_;
+                    let _e376 = bitcast<f32>((bitcast<u32>((_e371 + 127i)) << bitcast<u32>(23i)));
+                    let _e382 = bitcast<f32>((bitcast<u32>(((_e366 - _e371) + 127i)) << bitcast<u32>(23i)));
+                    let _e387 = global_7.member[_e149].member.member;
+                    let _e388 = (_e364 == 0u);
+                    if _e388 {
+                        phi_586_ = _e387[0];
                     } else {
-                        phi_580_ = _e385[1];
+                        phi_586_ = _e387[1];
                     }
-                    let _e390 = phi_580_;
-                    let _e391 = (_e362 == 2u);
-                    if _e391 {
-                        phi_586_ = _e385[2];
+                    let _e392 = phi_586_;
+                    let _e393 = (_e364 == 2u);
+                    if _e393 {
+                        phi_592_ = _e387[2];
                     } else {
-                        phi_586_ = _e390;
+                        phi_592_ = _e392;
                     }
-                    let _e394 = phi_586_;
-                    let _e395 = global_7.member[_e147].member.member_2;
-                    if _e386 {
-                        phi_597_ = _e395[0];
+                    let _e396 = phi_592_;
+                    let _e397 = global_7.member[_e149].member.member_2;
+                    if _e388 {
+                        phi_603_ = _e397[0];
                     } else {
-                        phi_597_ = _e395[1];
+                        phi_603_ = _e397[1];
                     }
-                    let _e399 = phi_597_;
-                    if _e391 {
-                        phi_603_ = _e395[2];
+                    let _e401 = phi_603_;
+                    if _e393 {
+                        phi_609_ = _e397[2];
                     } else {
-                        phi_603_ = _e399;
+                        phi_609_ = _e401;
                     }
-                    let _e402 = phi_603_;
-                    let _e404 = ((_e402 * _e374) * _e380);
-                    let _e408 = (bitcast<f32>((bitcast<u32>(_e404) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e408 {
-                        let _e412 = (bitcast<f32>((bitcast<u32>(_e394) & 2147483647u)) * 0.00000011920929f);
-                        phi_626_ = select(0.00000000000011368684f, _e412, (_e412 > 0.00000000000011368684f));
+                    let _e404 = phi_609_;
+                    let _e406 = ((_e404 * _e376) * _e382);
+                    let _e410 = (bitcast<f32>((bitcast<u32>(_e406) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e410 {
+                        let _e414 = (bitcast<f32>((bitcast<u32>(_e396) & 2147483647u)) * 0.00000011920929f);
+                        phi_632_ = select(0.00000000000011368684f, _e414, (_e414 > 0.00000000000011368684f));
                     } else {
-                        phi_626_ = 0f;
+                        phi_632_ = 0f;
                     }
-                    let _e416 = phi_626_;
-                    let _e417 = (_e394 + _e416);
-                    let _e418 = (_e394 - _e416);
-                    let _e419 = select(_e404, 0f, _e408);
-                    if _e408 {
-                        phi_637_ = 38685626000000000000000000f;
+                    let _e418 = phi_632_;
+                    let _e419 = (_e396 + _e418);
+                    let _e420 = (_e396 - _e418);
+                    let _e421 = select(_e406, 0f, _e410);
+                    if _e410 {
+                        phi_643_ = 38685626000000000000000000f;
                     } else {
-                        phi_637_ = (1f / _e404);
+                        phi_643_ = (1f / _e406);
                     }
-                    let _e422 = phi_637_;
-                    let _e423 = (_e361 == 0u);
-                    if _e423 {
-                        phi_646_ = _e385[0];
+                    let _e424 = phi_643_;
+                    let _e425 = (_e363 == 0u);
+                    if _e425 {
+                        phi_652_ = _e387[0];
                     } else {
-                        phi_646_ = _e385[1];
+                        phi_652_ = _e387[1];
                     }
-                    let _e427 = phi_646_;
-                    let _e428 = (_e361 == 2u);
-                    if _e428 {
-                        phi_652_ = _e385[2];
+                    let _e429 = phi_652_;
+                    let _e430 = (_e363 == 2u);
+                    if _e430 {
+                        phi_658_ = _e387[2];
                     } else {
-                        phi_652_ = _e427;
+                        phi_658_ = _e429;
                     }
-                    let _e431 = phi_652_;
-                    if _e423 {
-                        phi_663_ = _e395[0];
+                    let _e433 = phi_658_;
+                    if _e425 {
+                        phi_669_ = _e397[0];
                     } else {
-                        phi_663_ = _e395[1];
+                        phi_669_ = _e397[1];
                     }
-                    let _e435 = phi_663_;
-                    if _e428 {
-                        phi_669_ = _e395[2];
+                    let _e437 = phi_669_;
+                    if _e430 {
+                        phi_675_ = _e397[2];
                     } else {
-                        phi_669_ = _e435;
+                        phi_675_ = _e437;
                     }
-                    let _e438 = phi_669_;
-                    let _e440 = ((_e438 * _e374) * _e380);
-                    let _e444 = (bitcast<f32>((bitcast<u32>(_e440) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e444 {
-                        let _e448 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) * 0.00000011920929f);
-                        phi_692_ = select(0.00000000000011368684f, _e448, (_e448 > 0.00000000000011368684f));
+                    let _e440 = phi_675_;
+                    let _e442 = ((_e440 * _e376) * _e382);
+                    let _e446 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e446 {
+                        let _e450 = (bitcast<f32>((bitcast<u32>(_e433) & 2147483647u)) * 0.00000011920929f);
+                        phi_698_ = select(0.00000000000011368684f, _e450, (_e450 > 0.00000000000011368684f));
                     } else {
-                        phi_692_ = 0f;
+                        phi_698_ = 0f;
                     }
-                    let _e452 = phi_692_;
-                    let _e453 = (_e431 + _e452);
-                    let _e454 = (_e431 - _e452);
-                    let _e455 = select(_e440, 0f, _e444);
-                    if _e444 {
-                        phi_703_ = 38685626000000000000000000f;
+                    let _e454 = phi_698_;
+                    let _e455 = (_e433 + _e454);
+                    let _e456 = (_e433 - _e454);
+                    let _e457 = select(_e442, 0f, _e446);
+                    if _e446 {
+                        phi_709_ = 38685626000000000000000000f;
                     } else {
-                        phi_703_ = (1f / _e440);
+                        phi_709_ = (1f / _e442);
                     }
-                    let _e458 = phi_703_;
-                    let _e459 = (_e363 == 0u);
-                    if _e459 {
-                        phi_712_ = _e385[0];
+                    let _e460 = phi_709_;
+                    let _e461 = (_e365 == 0u);
+                    if _e461 {
+                        phi_718_ = _e387[0];
                     } else {
-                        phi_712_ = _e385[1];
+                        phi_718_ = _e387[1];
                     }
-                    let _e463 = phi_712_;
-                    let _e464 = (_e363 == 2u);
-                    if _e464 {
-                        phi_718_ = _e385[2];
+                    let _e465 = phi_718_;
+                    let _e466 = (_e365 == 2u);
+                    if _e466 {
+                        phi_724_ = _e387[2];
                     } else {
-                        phi_718_ = _e463;
+                        phi_724_ = _e465;
                     }
-                    let _e467 = phi_718_;
-                    if _e459 {
-                        phi_729_ = _e395[0];
+                    let _e469 = phi_724_;
+                    if _e461 {
+                        phi_735_ = _e397[0];
                     } else {
-                        phi_729_ = _e395[1];
+                        phi_735_ = _e397[1];
                     }
-                    let _e471 = phi_729_;
-                    if _e464 {
-                        phi_735_ = _e395[2];
+                    let _e473 = phi_735_;
+                    if _e466 {
+                        phi_741_ = _e397[2];
                     } else {
-                        phi_735_ = _e471;
+                        phi_741_ = _e473;
                     }
-                    let _e474 = phi_735_;
-                    let _e476 = ((_e474 * _e374) * _e380);
-                    let _e480 = (bitcast<f32>((bitcast<u32>(_e476) & 2147483647u)) < 0.00000000000000000086736174f);
-                    if _e480 {
-                        let _e484 = (bitcast<f32>((bitcast<u32>(_e467) & 2147483647u)) * 0.00000011920929f);
-                        phi_758_ = select(0.00000000000011368684f, _e484, (_e484 > 0.00000000000011368684f));
+                    let _e476 = phi_741_;
+                    let _e478 = ((_e476 * _e376) * _e382);
+                    let _e482 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) < 0.00000000000000000086736174f);
+                    if _e482 {
+                        let _e486 = (bitcast<f32>((bitcast<u32>(_e469) & 2147483647u)) * 0.00000011920929f);
+                        phi_764_ = select(0.00000000000011368684f, _e486, (_e486 > 0.00000000000011368684f));
                     } else {
-                        phi_758_ = 0f;
+                        phi_764_ = 0f;
                     }
-                    let _e488 = phi_758_;
-                    let _e489 = (_e467 + _e488);
-                    let _e490 = (_e467 - _e488);
-                    let _e491 = select(_e476, 0f, _e480);
-                    if _e480 {
-                        phi_769_ = 38685626000000000000000000f;
+                    let _e490 = phi_764_;
+                    let _e491 = (_e469 + _e490);
+                    let _e492 = (_e469 - _e490);
+                    let _e493 = select(_e478, 0f, _e482);
+                    if _e482 {
+                        phi_775_ = 38685626000000000000000000f;
                     } else {
-                        phi_769_ = (1f / _e476);
+                        phi_775_ = (1f / _e478);
                     }
-                    let _e494 = phi_769_;
-                    let _e497 = bitcast<f32>((bitcast<u32>(_e394) & 2147483647u));
-                    let _e500 = bitcast<f32>((bitcast<u32>(_e431) & 2147483647u));
-                    let _e502 = select(_e500, _e497, (_e497 > _e500));
-                    let _e505 = bitcast<f32>((bitcast<u32>(_e467) & 2147483647u));
-                    if (_e324 && (select(_e505, _e502, (_e502 > _e505)) <= 1099511600000f)) {
-                        let _e510 = (_e343 / 3i);
-                        let _e517 = bitcast<f32>((bitcast<u32>((_e510 + 127i)) << bitcast<u32>(23i)));
-                        let _e524 = bitcast<f32>((bitcast<u32>(((_e343 - (2i * _e510)) + 127i)) << bitcast<u32>(23i)));
-                        let _e525 = (((_e308 * _e517) * _e517) * _e524);
-                        let _e527 = select(340282350000000000000000000000000000000f, _e525, (_e525 < 340282350000000000000000000000000000000f));
-                        let _e532 = (((_e318 * _e517) * _e517) * _e524);
-                        let _e534 = select(340282350000000000000000000000000000000f, _e532, (_e532 < 340282350000000000000000000000000000000f));
-                        phi_869_ = select(-340282350000000000000000000000000000000f, _e534, (_e534 > -340282350000000000000000000000000000000f));
-                        phi_870_ = select(-340282350000000000000000000000000000000f, _e527, (_e527 > -340282350000000000000000000000000000000f));
+                    let _e496 = phi_775_;
+                    let _e499 = bitcast<f32>((bitcast<u32>(_e396) & 2147483647u));
+                    let _e502 = bitcast<f32>((bitcast<u32>(_e433) & 2147483647u));
+                    let _e504 = select(_e502, _e499, (_e499 > _e502));
+                    let _e507 = bitcast<f32>((bitcast<u32>(_e469) & 2147483647u));
+                    if (_e326 && (select(_e507, _e504, (_e504 > _e507)) <= 1099511600000f)) {
+                        let _e512 = (_e345 / 3i);
+                        let _e519 = bitcast<f32>((bitcast<u32>((_e512 + 127i)) << bitcast<u32>(23i)));
+                        let _e526 = bitcast<f32>((bitcast<u32>(((_e345 - (2i * _e512)) + 127i)) << bitcast<u32>(23i)));
+                        let _e527 = (((_e310 * _e519) * _e519) * _e526);
+                        let _e529 = select(340282350000000000000000000000000000000f, _e527, (_e527 < 340282350000000000000000000000000000000f));
+                        let _e534 = (((_e320 * _e519) * _e519) * _e526);
+                        let _e536 = select(340282350000000000000000000000000000000f, _e534, (_e534 < 340282350000000000000000000000000000000f));
+                        phi_875_ = select(-340282350000000000000000000000000000000f, _e536, (_e536 > -340282350000000000000000000000000000000f));
+                        phi_876_ = select(-340282350000000000000000000000000000000f, _e529, (_e529 > -340282350000000000000000000000000000000f));
                     } else {
-                        phi_869_ = 0f;
-                        phi_870_ = 1f;
+                        phi_875_ = 0f;
+                        phi_876_ = 1f;
                     }
-                    let _e538 = phi_869_;
-                    let _e540 = phi_870_;
+                    let _e540 = phi_875_;
+                    let _e542 = phi_876_;
                     local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                     local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -580,1336 +597,1444 @@ fn function_() {
                     local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                     local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                    let _e544 = (_e362 % 3u);
-                    let _e545 = (_e544 < 3u);
-                    if _e545 {
+                    let _e546 = (_e364 % 3u);
+                    let _e547 = (_e546 < 3u);
+                    if _e547 {
                     } else {
                         break;
                     }
-                    let _e547 = local_1[_e544];
-                    let _e550 = (_e361 % 3u);
-                    let _e551 = (_e550 < 3u);
-                    if _e551 {
+                    let _e549 = local_1[_e546];
+                    let _e552 = (_e363 % 3u);
+                    let _e553 = (_e552 < 3u);
+                    if _e553 {
                     } else {
                         break;
                     }
-                    let _e553 = local_1[_e550];
-                    let _e556 = (_e363 % 3u);
-                    let _e557 = (_e556 < 3u);
-                    if _e557 {
+                    let _e555 = local_1[_e552];
+                    let _e558 = (_e365 % 3u);
+                    let _e559 = (_e558 < 3u);
+                    if _e559 {
                     } else {
                         break;
                     }
-                    let _e559 = local_1[_e556];
-                    if _e545 {
+                    let _e561 = local_1[_e558];
+                    if _e547 {
                     } else {
                         break;
                     }
-                    let _e564 = local[_e544];
-                    if _e551 {
+                    let _e566 = local[_e546];
+                    if _e553 {
                     } else {
                         break;
                     }
-                    let _e568 = local[_e550];
-                    if _e557 {
+                    let _e570 = local[_e552];
+                    if _e559 {
                     } else {
                         break;
                     }
-                    let _e572 = local[_e556];
-                    phi_4323_ = false;
-                    phi_959_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e538);
-                    phi_962_ = type_57(type_37(vec4<f32>((f32(_e547) * _e159), (f32(_e553) * _e159), (f32(_e559) * _e159), 0f), vec4<f32>((f32(_e564) * _e159), (f32(_e568) * _e159), (f32(_e572) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
-                    phi_964_ = ((3u * _e100) + 1u);
-                    phi_966_ = (_e540 <= _e538);
-                    phi_968_ = 0u;
+                    let _e574 = local[_e558];
+                    phi_4596_ = false;
+                    phi_965_ = type_42(type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u), _e540);
+                    phi_968_ = type_57(type_37(vec4<f32>((f32(_e549) * _e161), (f32(_e555) * _e161), (f32(_e561) * _e161), 0f), vec4<f32>((f32(_e566) * _e161), (f32(_e570) * _e161), (f32(_e574) * _e161), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
+                    phi_970_ = ((3u * _e102) + 1u);
+                    phi_972_ = (_e542 <= _e540);
+                    phi_974_ = 0u;
                     loop {
-                        let _e582 = phi_4323_;
-                        let _e584 = phi_959_;
-                        let _e586 = phi_962_;
-                        let _e588 = phi_964_;
-                        let _e590 = phi_966_;
-                        let _e592 = phi_968_;
-                        local_10 = _e584;
-                        if _e590 {
-                            phi_979_ = true;
+                        let _e584 = phi_4596_;
+                        let _e586 = phi_965_;
+                        let _e588 = phi_968_;
+                        let _e590 = phi_970_;
+                        let _e592 = phi_972_;
+                        let _e594 = phi_974_;
+                        local_10 = _e586;
+                        if _e592 {
+                            phi_985_ = true;
                         } else {
-                            phi_979_ = (_e592 > 0u);
+                            phi_985_ = (_e594 > 0u);
                         }
-                        let _e595 = phi_979_;
-                        if _e595 {
-                            let _e596 = (_e588 > 0u);
-                            if _e596 {
-                                if _e590 {
-                                    phi_1065_ = _e586;
-                                    phi_1066_ = _e590;
-                                    phi_1067_ = _e592;
+                        let _e597 = phi_985_;
+                        if _e597 {
+                            let _e598 = (_e590 > 0u);
+                            if _e598 {
+                                if _e592 {
+                                    phi_1071_ = _e588;
+                                    phi_1072_ = _e592;
+                                    phi_1073_ = _e594;
                                 } else {
-                                    let _e597 = (_e592 - 1u);
-                                    let _e598 = (_e597 % 128u);
-                                    let _e599 = (_e598 < 128u);
-                                    if _e599 {
+                                    let _e599 = (_e594 - 1u);
+                                    let _e600 = (_e599 % 128u);
+                                    let _e601 = (_e600 < 128u);
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e601 = local_7[_e598];
-                                    if _e599 {
+                                    let _e603 = local_7[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e603 = local_6[_e598];
-                                    if _e599 {
+                                    let _e605 = local_6[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e605 = local_5[_e598];
-                                    if _e599 {
+                                    let _e607 = local_5[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e607 = local_4[_e598];
-                                    if _e599 {
+                                    let _e609 = local_4[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e609 = local_3[_e598];
-                                    if _e599 {
+                                    let _e611 = local_3[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e611 = local_2[_e598];
-                                    if _e599 {
+                                    let _e613 = local_2[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e616 = local_8[_e598];
-                                    if _e599 {
+                                    let _e618 = local_8[_e600];
+                                    if _e601 {
                                     } else {
-                                        phi_4502_ = true;
+                                        phi_4803_ = true;
                                         break;
                                     }
-                                    let _e619 = local_9[_e598];
-                                    phi_1065_ = type_57(type_37(vec4<f32>(_e601, _e603, _e605, 0f), vec4<f32>(_e607, _e609, _e611, 0f)), _e616);
-                                    phi_1066_ = (_e619 <= _e584.member_1);
-                                    phi_1067_ = _e597;
+                                    let _e621 = local_9[_e600];
+                                    phi_1071_ = type_57(type_37(vec4<f32>(_e603, _e605, _e607, 0f), vec4<f32>(_e609, _e611, _e613, 0f)), _e618);
+                                    phi_1072_ = (_e621 <= _e586.member_1);
+                                    phi_1073_ = _e599;
                                 }
-                                let _e623 = phi_1065_;
-                                let _e625 = phi_1066_;
-                                let _e627 = phi_1067_;
-                                if _e625 {
-                                    let _e632 = (_e623.member_1 & 268435455u);
-                                    if ((_e623.member_1 & 2147483648u) != 0u) {
-                                        phi_1086_ = _e584;
-                                        phi_1089_ = type_8(0u, ((_e623.member_1 >> bitcast<u32>(28u)) & 7u));
+                                let _e625 = phi_1071_;
+                                let _e627 = phi_1072_;
+                                let _e629 = phi_1073_;
+                                if _e627 {
+                                    let _e634 = (_e625.member_1 & 268435455u);
+                                    if ((_e625.member_1 & 2147483648u) != 0u) {
+                                        phi_1092_ = _e586;
+                                        phi_1095_ = type_8(0u, ((_e625.member_1 >> bitcast<u32>(28u)) & 7u));
                                         loop {
-                                            let _e1092 = phi_1086_;
-                                            let _e1094 = phi_1089_;
-                                            local_11 = _e1092;
-                                            if (_e1094.member < _e1094.member_1) {
-                                                phi_1090_ = type_8((_e1094.member + 1u), _e1094.member_1);
-                                                phi_1112_ = type_8(1u, _e1094.member);
+                                            let _e1094 = phi_1092_;
+                                            let _e1096 = phi_1095_;
+                                            local_11 = _e1094;
+                                            if (_e1096.member < _e1096.member_1) {
+                                                phi_1096_ = type_8((_e1096.member + 1u), _e1096.member_1);
+                                                phi_1118_ = type_8(1u, _e1096.member);
                                             } else {
-                                                phi_1090_ = _e1094;
-                                                phi_1112_ = type_8(0u, type_8().member_1);
+                                                phi_1096_ = _e1096;
+                                                phi_1118_ = type_8(0u, type_8().member_1);
                                             }
-                                            let _e1107 = phi_1090_;
-                                            let _e1109 = phi_1112_;
-                                            let _e1113 = (bitcast<i32>(_e1109.member) != 0i);
-                                            if _e1113 {
-                                                let _e1118 = (_e623.member.member_1.x - _e623.member.member.x);
-                                                let _e1121 = (_e623.member.member_1.y - _e623.member.member.y);
-                                                let _e1124 = (_e623.member.member_1.z - _e623.member.member.z);
-                                                let _e1126 = select(_e1121, _e1118, (_e1118 > _e1121));
-                                                let _e1128 = select(_e1124, _e1126, (_e1126 > _e1124));
-                                                let _e1130 = (_e1128 < (1024f * _e159));
-                                                if _e1130 {
-                                                    phi_1153_ = 0u;
+                                            let _e1109 = phi_1096_;
+                                            let _e1111 = phi_1118_;
+                                            let _e1115 = (bitcast<i32>(_e1111.member) != 0i);
+                                            if _e1115 {
+                                                let _e1120 = (_e625.member.member_1.x - _e625.member.member.x);
+                                                let _e1123 = (_e625.member.member_1.y - _e625.member.member.y);
+                                                let _e1126 = (_e625.member.member_1.z - _e625.member.member.z);
+                                                let _e1128 = select(_e1123, _e1120, (_e1120 > _e1123));
+                                                let _e1130 = select(_e1126, _e1128, (_e1128 > _e1126));
+                                                let _e1132 = (_e1130 < (1024f * _e161));
+                                                if _e1132 {
+                                                    phi_1159_ = 0u;
                                                 } else {
-                                                    phi_1153_ = select(2u, 1u, (_e1128 < (2097152f * _e159)));
+                                                    phi_1159_ = select(2u, 1u, (_e1130 < (2097152f * _e161)));
                                                 }
-                                                let _e1135 = phi_1153_;
-                                                switch bitcast<i32>(_e1135) {
+                                                let _e1137 = phi_1159_;
+                                                switch bitcast<i32>(_e1137) {
                                                     case 0: {
-                                                        phi_1159_ = 1u;
+                                                        phi_1165_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1159_ = 2u;
+                                                        phi_1165_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1159_ = 3u;
+                                                        phi_1165_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1159_ = u32();
+                                                        phi_1165_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1138 = phi_1159_;
-                                                switch bitcast<i32>(_e1135) {
+                                                let _e1140 = phi_1165_;
+                                                switch bitcast<i32>(_e1137) {
                                                     case 0: {
-                                                        phi_1169_ = 1u;
+                                                        phi_1175_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1169_ = 2u;
+                                                        phi_1175_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1169_ = 3u;
+                                                        phi_1175_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1169_ = u32();
+                                                        phi_1175_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1145 = phi_1169_;
-                                                let _e1147 = ((_e632 + (_e1109.member_1 * ((3u * _e1138) + 1u))) + (3u * _e1145));
-                                                let _e1148 = (_e1147 < _e103);
-                                                if _e1148 {
-                                                    if _e1148 {
+                                                let _e1147 = phi_1175_;
+                                                let _e1149 = ((_e634 + (_e1111.member_1 * ((3u * _e1140) + 1u))) + (3u * _e1147));
+                                                let _e1150 = (_e1149 < _e105);
+                                                if _e1150 {
+                                                    if _e1150 {
                                                     } else {
-                                                        phi_4317_ = true;
+                                                        phi_4590_ = true;
                                                         break;
                                                     }
-                                                    let _e1150 = global_10.member[_e1147];
-                                                    phi_1185_ = _e1150;
+                                                    let _e1152 = global_10.member[_e1149];
+                                                    phi_1191_ = _e1152;
                                                 } else {
-                                                    phi_1185_ = 4294967295u;
+                                                    phi_1191_ = 4294967295u;
                                                 }
-                                                let _e1152 = phi_1185_;
-                                                if _e1130 {
-                                                    phi_1218_ = 0u;
+                                                let _e1154 = phi_1191_;
+                                                if _e1132 {
+                                                    phi_1224_ = 0u;
                                                 } else {
-                                                    phi_1218_ = select(2u, 1u, (_e1128 < (2097152f * _e159)));
+                                                    phi_1224_ = select(2u, 1u, (_e1130 < (2097152f * _e161)));
                                                 }
-                                                let _e1157 = phi_1218_;
-                                                switch bitcast<i32>(_e1157) {
+                                                let _e1159 = phi_1224_;
+                                                switch bitcast<i32>(_e1159) {
                                                     case 0: {
-                                                        phi_1224_ = 1u;
+                                                        phi_1230_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_1224_ = 2u;
+                                                        phi_1230_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_1224_ = 3u;
+                                                        phi_1230_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1224_ = u32();
+                                                        phi_1230_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e1160 = phi_1224_;
-                                                let _e1164 = (_e632 + (_e1109.member_1 * ((3u * _e1160) + 1u)));
-                                                switch bitcast<i32>(_e1157) {
+                                                let _e1162 = phi_1230_;
+                                                let _e1166 = (_e634 + (_e1111.member_1 * ((3u * _e1162) + 1u)));
+                                                switch bitcast<i32>(_e1159) {
                                                     case 0: {
-                                                        let _e1430 = (_e1164 < _e103);
-                                                        if _e1430 {
-                                                            if _e1430 {
+                                                        let _e1432 = (_e1166 < _e105);
+                                                        if _e1432 {
+                                                            if _e1432 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1432 = global_10.member[_e1164];
-                                                            phi_1248_ = _e1432;
+                                                            let _e1434 = global_10.member[_e1166];
+                                                            phi_1254_ = _e1434;
                                                         } else {
-                                                            phi_1248_ = 0u;
+                                                            phi_1254_ = 0u;
                                                         }
-                                                        let _e1434 = phi_1248_;
-                                                        let _e1436 = ((10u * _e362) & 31u);
-                                                        let _e1445 = ((10u * _e361) & 31u);
-                                                        let _e1454 = ((10u * _e363) & 31u);
-                                                        let _e1463 = (_e1164 + 1u);
-                                                        let _e1464 = (_e1463 < _e103);
-                                                        if _e1464 {
-                                                            if _e1464 {
+                                                        let _e1436 = phi_1254_;
+                                                        let _e1438 = ((10u * _e364) & 31u);
+                                                        let _e1447 = ((10u * _e363) & 31u);
+                                                        let _e1456 = ((10u * _e365) & 31u);
+                                                        let _e1465 = (_e1166 + 1u);
+                                                        let _e1466 = (_e1465 < _e105);
+                                                        if _e1466 {
+                                                            if _e1466 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1466 = global_10.member[_e1463];
-                                                            phi_1291_ = _e1466;
+                                                            let _e1468 = global_10.member[_e1465];
+                                                            phi_1297_ = _e1468;
                                                         } else {
-                                                            phi_1291_ = 0u;
+                                                            phi_1297_ = 0u;
                                                         }
-                                                        let _e1468 = phi_1291_;
-                                                        let _e1491 = (_e1164 + 2u);
-                                                        let _e1492 = (_e1491 < _e103);
-                                                        if _e1492 {
-                                                            if _e1492 {
+                                                        let _e1470 = phi_1297_;
+                                                        let _e1493 = (_e1166 + 2u);
+                                                        let _e1494 = (_e1493 < _e105);
+                                                        if _e1494 {
+                                                            if _e1494 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1494 = global_10.member[_e1491];
-                                                            phi_1334_ = _e1494;
+                                                            let _e1496 = global_10.member[_e1493];
+                                                            phi_1340_ = _e1496;
                                                         } else {
-                                                            phi_1334_ = 0u;
+                                                            phi_1340_ = 0u;
                                                         }
-                                                        let _e1496 = phi_1334_;
-                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1434 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1468 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1436)) & 1023u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1445)) & 1023u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>(((_e1496 >> bitcast<u32>(_e1454)) & 1023u))) * _e159))));
+                                                        let _e1498 = phi_1340_;
+                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1436 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1470 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1438)) & 1023u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1447)) & 1023u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>(((_e1498 >> bitcast<u32>(_e1456)) & 1023u))) * _e161))));
                                                         break;
                                                     }
                                                     case 1: {
-                                                        let _e1253 = (_e1164 < _e103);
-                                                        if _e1253 {
-                                                            if _e1253 {
+                                                        let _e1255 = (_e1166 < _e105);
+                                                        if _e1255 {
+                                                            if _e1255 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1255 = global_10.member[_e1164];
-                                                            phi_1377_ = _e1255;
+                                                            let _e1257 = global_10.member[_e1166];
+                                                            phi_1383_ = _e1257;
                                                         } else {
-                                                            phi_1377_ = 0u;
+                                                            phi_1383_ = 0u;
                                                         }
-                                                        let _e1257 = phi_1377_;
-                                                        let _e1258 = (_e1164 + 1u);
-                                                        let _e1259 = (_e1258 < _e103);
-                                                        if _e1259 {
-                                                            if _e1259 {
+                                                        let _e1259 = phi_1383_;
+                                                        let _e1260 = (_e1166 + 1u);
+                                                        let _e1261 = (_e1260 < _e105);
+                                                        if _e1261 {
+                                                            if _e1261 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1261 = global_10.member[_e1258];
-                                                            phi_1392_ = _e1261;
+                                                            let _e1263 = global_10.member[_e1260];
+                                                            phi_1398_ = _e1263;
                                                         } else {
-                                                            phi_1392_ = 0u;
+                                                            phi_1398_ = 0u;
                                                         }
-                                                        let _e1263 = phi_1392_;
-                                                        let _e1264 = (_e362 == 1u);
-                                                        if _e1264 {
-                                                            phi_1402_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1265 = phi_1398_;
+                                                        let _e1266 = (_e364 == 1u);
+                                                        if _e1266 {
+                                                            phi_1408_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1402_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1408_ = (_e1265 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1273 = phi_1402_;
-                                                        let _e1280 = (_e361 == 1u);
-                                                        if _e1280 {
-                                                            phi_1422_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1275 = phi_1408_;
+                                                        let _e1282 = (_e363 == 1u);
+                                                        if _e1282 {
+                                                            phi_1428_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1422_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1428_ = (_e1265 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1289 = phi_1422_;
-                                                        let _e1296 = (_e363 == 1u);
-                                                        if _e1296 {
-                                                            phi_1442_ = ((_e1257 >> bitcast<u32>(21i)) | (_e1263 << bitcast<u32>(11i)));
+                                                        let _e1291 = phi_1428_;
+                                                        let _e1298 = (_e365 == 1u);
+                                                        if _e1298 {
+                                                            phi_1448_ = ((_e1259 >> bitcast<u32>(21i)) | (_e1265 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1442_ = (_e1263 >> bitcast<u32>(10i));
+                                                            phi_1448_ = (_e1265 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1305 = phi_1442_;
-                                                        let _e1313 = (_e1164 + 2u);
-                                                        let _e1314 = (_e1313 < _e103);
-                                                        if _e1314 {
-                                                            if _e1314 {
+                                                        let _e1307 = phi_1448_;
+                                                        let _e1315 = (_e1166 + 2u);
+                                                        let _e1316 = (_e1315 < _e105);
+                                                        if _e1316 {
+                                                            if _e1316 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1316 = global_10.member[_e1313];
-                                                            phi_1468_ = _e1316;
+                                                            let _e1318 = global_10.member[_e1315];
+                                                            phi_1474_ = _e1318;
                                                         } else {
-                                                            phi_1468_ = 0u;
+                                                            phi_1474_ = 0u;
                                                         }
-                                                        let _e1318 = phi_1468_;
-                                                        let _e1319 = (_e1164 + 3u);
-                                                        let _e1320 = (_e1319 < _e103);
-                                                        if _e1320 {
-                                                            if _e1320 {
+                                                        let _e1320 = phi_1474_;
+                                                        let _e1321 = (_e1166 + 3u);
+                                                        let _e1322 = (_e1321 < _e105);
+                                                        if _e1322 {
+                                                            if _e1322 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1322 = global_10.member[_e1319];
-                                                            phi_1483_ = _e1322;
+                                                            let _e1324 = global_10.member[_e1321];
+                                                            phi_1489_ = _e1324;
                                                         } else {
-                                                            phi_1483_ = 0u;
+                                                            phi_1489_ = 0u;
                                                         }
-                                                        let _e1324 = phi_1483_;
-                                                        if _e1264 {
-                                                            phi_1493_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        let _e1326 = phi_1489_;
+                                                        if _e1266 {
+                                                            phi_1499_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1493_ = (_e1324 >> bitcast<u32>(10i));
+                                                            phi_1499_ = (_e1326 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1333 = phi_1493_;
-                                                        if _e1280 {
-                                                            phi_1513_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        let _e1335 = phi_1499_;
+                                                        if _e1282 {
+                                                            phi_1519_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1513_ = (_e1324 >> bitcast<u32>(10i));
+                                                            phi_1519_ = (_e1326 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1348 = phi_1513_;
-                                                        if _e1296 {
-                                                            phi_1533_ = ((_e1318 >> bitcast<u32>(21i)) | (_e1324 << bitcast<u32>(11i)));
+                                                        let _e1350 = phi_1519_;
+                                                        if _e1298 {
+                                                            phi_1539_ = ((_e1320 >> bitcast<u32>(21i)) | (_e1326 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1533_ = (_e1324 >> bitcast<u32>(10i));
+                                                            phi_1539_ = (_e1326 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1363 = phi_1533_;
-                                                        let _e1371 = (_e1164 + 4u);
-                                                        let _e1372 = (_e1371 < _e103);
-                                                        if _e1372 {
-                                                            if _e1372 {
+                                                        let _e1365 = phi_1539_;
+                                                        let _e1373 = (_e1166 + 4u);
+                                                        let _e1374 = (_e1373 < _e105);
+                                                        if _e1374 {
+                                                            if _e1374 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1374 = global_10.member[_e1371];
-                                                            phi_1559_ = _e1374;
+                                                            let _e1376 = global_10.member[_e1373];
+                                                            phi_1565_ = _e1376;
                                                         } else {
-                                                            phi_1559_ = 0u;
+                                                            phi_1565_ = 0u;
                                                         }
-                                                        let _e1376 = phi_1559_;
-                                                        let _e1377 = (_e1164 + 5u);
-                                                        let _e1378 = (_e1377 < _e103);
-                                                        if _e1378 {
-                                                            if _e1378 {
+                                                        let _e1378 = phi_1565_;
+                                                        let _e1379 = (_e1166 + 5u);
+                                                        let _e1380 = (_e1379 < _e105);
+                                                        if _e1380 {
+                                                            if _e1380 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1380 = global_10.member[_e1377];
-                                                            phi_1574_ = _e1380;
+                                                            let _e1382 = global_10.member[_e1379];
+                                                            phi_1580_ = _e1382;
                                                         } else {
-                                                            phi_1574_ = 0u;
+                                                            phi_1580_ = 0u;
                                                         }
-                                                        let _e1382 = phi_1574_;
-                                                        if _e1264 {
-                                                            phi_1584_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        let _e1384 = phi_1580_;
+                                                        if _e1266 {
+                                                            phi_1590_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1584_ = (_e1382 >> bitcast<u32>(10i));
+                                                            phi_1590_ = (_e1384 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1391 = phi_1584_;
-                                                        if _e1280 {
-                                                            phi_1604_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        let _e1393 = phi_1590_;
+                                                        if _e1282 {
+                                                            phi_1610_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1604_ = (_e1382 >> bitcast<u32>(10i));
+                                                            phi_1610_ = (_e1384 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1406 = phi_1604_;
-                                                        if _e1296 {
-                                                            phi_1624_ = ((_e1376 >> bitcast<u32>(21i)) | (_e1382 << bitcast<u32>(11i)));
+                                                        let _e1408 = phi_1610_;
+                                                        if _e1298 {
+                                                            phi_1630_ = ((_e1378 >> bitcast<u32>(21i)) | (_e1384 << bitcast<u32>(11i)));
                                                         } else {
-                                                            phi_1624_ = (_e1382 >> bitcast<u32>(10i));
+                                                            phi_1630_ = (_e1384 >> bitcast<u32>(10i));
                                                         }
-                                                        let _e1421 = phi_1624_;
-                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1273, _e1257, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1289, _e1257, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1305, _e1257, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1333, _e1318, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1348, _e1318, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1363, _e1318, _e459) & 2097151u))) * _e159))), array<f32, 3>((_e623.member.member.x + (f32(bitcast<i32>((select(_e1391, _e1376, _e386) & 2097151u))) * _e159)), (_e623.member.member.y + (f32(bitcast<i32>((select(_e1406, _e1376, _e423) & 2097151u))) * _e159)), (_e623.member.member.z + (f32(bitcast<i32>((select(_e1421, _e1376, _e459) & 2097151u))) * _e159))));
+                                                        let _e1423 = phi_1630_;
+                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1275, _e1259, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1291, _e1259, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1307, _e1259, _e461) & 2097151u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1335, _e1320, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1350, _e1320, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1365, _e1320, _e461) & 2097151u))) * _e161))), array<f32, 3>((_e625.member.member.x + (f32(bitcast<i32>((select(_e1393, _e1378, _e388) & 2097151u))) * _e161)), (_e625.member.member.y + (f32(bitcast<i32>((select(_e1408, _e1378, _e425) & 2097151u))) * _e161)), (_e625.member.member.z + (f32(bitcast<i32>((select(_e1423, _e1378, _e461) & 2097151u))) * _e161))));
                                                         break;
                                                     }
                                                     case 2: {
-                                                        let _e1166 = (_e1164 + _e362);
-                                                        let _e1167 = (_e1166 < _e103);
-                                                        if _e1167 {
-                                                            if _e1167 {
+                                                        let _e1168 = (_e1166 + _e364);
+                                                        let _e1169 = (_e1168 < _e105);
+                                                        if _e1169 {
+                                                            if _e1169 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1169 = global_10.member[_e1166];
-                                                            phi_1651_ = _e1169;
+                                                            let _e1171 = global_10.member[_e1168];
+                                                            phi_1657_ = _e1171;
                                                         } else {
-                                                            phi_1651_ = 0u;
+                                                            phi_1657_ = 0u;
                                                         }
-                                                        let _e1171 = phi_1651_;
-                                                        let _e1175 = (_e1164 + _e361);
-                                                        let _e1176 = (_e1175 < _e103);
-                                                        if _e1176 {
-                                                            if _e1176 {
+                                                        let _e1173 = phi_1657_;
+                                                        let _e1177 = (_e1166 + _e363);
+                                                        let _e1178 = (_e1177 < _e105);
+                                                        if _e1178 {
+                                                            if _e1178 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1178 = global_10.member[_e1175];
-                                                            phi_1669_ = _e1178;
+                                                            let _e1180 = global_10.member[_e1177];
+                                                            phi_1675_ = _e1180;
                                                         } else {
-                                                            phi_1669_ = 0u;
+                                                            phi_1675_ = 0u;
                                                         }
-                                                        let _e1180 = phi_1669_;
-                                                        let _e1184 = (_e1164 + _e363);
-                                                        let _e1185 = (_e1184 < _e103);
-                                                        if _e1185 {
-                                                            if _e1185 {
+                                                        let _e1182 = phi_1675_;
+                                                        let _e1186 = (_e1166 + _e365);
+                                                        let _e1187 = (_e1186 < _e105);
+                                                        if _e1187 {
+                                                            if _e1187 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1187 = global_10.member[_e1184];
-                                                            phi_1687_ = _e1187;
+                                                            let _e1189 = global_10.member[_e1186];
+                                                            phi_1693_ = _e1189;
                                                         } else {
-                                                            phi_1687_ = 0u;
+                                                            phi_1693_ = 0u;
                                                         }
-                                                        let _e1189 = phi_1687_;
-                                                        let _e1194 = (_e1164 + 3u);
-                                                        let _e1195 = (_e1194 + _e362);
-                                                        let _e1196 = (_e1195 < _e103);
-                                                        if _e1196 {
-                                                            if _e1196 {
+                                                        let _e1191 = phi_1693_;
+                                                        let _e1196 = (_e1166 + 3u);
+                                                        let _e1197 = (_e1196 + _e364);
+                                                        let _e1198 = (_e1197 < _e105);
+                                                        if _e1198 {
+                                                            if _e1198 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1198 = global_10.member[_e1195];
-                                                            phi_1707_ = _e1198;
+                                                            let _e1200 = global_10.member[_e1197];
+                                                            phi_1713_ = _e1200;
                                                         } else {
-                                                            phi_1707_ = 0u;
+                                                            phi_1713_ = 0u;
                                                         }
-                                                        let _e1200 = phi_1707_;
-                                                        let _e1204 = (_e1194 + _e361);
-                                                        let _e1205 = (_e1204 < _e103);
-                                                        if _e1205 {
-                                                            if _e1205 {
+                                                        let _e1202 = phi_1713_;
+                                                        let _e1206 = (_e1196 + _e363);
+                                                        let _e1207 = (_e1206 < _e105);
+                                                        if _e1207 {
+                                                            if _e1207 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1207 = global_10.member[_e1204];
-                                                            phi_1725_ = _e1207;
+                                                            let _e1209 = global_10.member[_e1206];
+                                                            phi_1731_ = _e1209;
                                                         } else {
-                                                            phi_1725_ = 0u;
+                                                            phi_1731_ = 0u;
                                                         }
-                                                        let _e1209 = phi_1725_;
-                                                        let _e1213 = (_e1194 + _e363);
-                                                        let _e1214 = (_e1213 < _e103);
-                                                        if _e1214 {
-                                                            if _e1214 {
+                                                        let _e1211 = phi_1731_;
+                                                        let _e1215 = (_e1196 + _e365);
+                                                        let _e1216 = (_e1215 < _e105);
+                                                        if _e1216 {
+                                                            if _e1216 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1216 = global_10.member[_e1213];
-                                                            phi_1743_ = _e1216;
+                                                            let _e1218 = global_10.member[_e1215];
+                                                            phi_1749_ = _e1218;
                                                         } else {
-                                                            phi_1743_ = 0u;
+                                                            phi_1749_ = 0u;
                                                         }
-                                                        let _e1218 = phi_1743_;
-                                                        let _e1223 = (_e1164 + 6u);
-                                                        let _e1224 = (_e1223 + _e362);
-                                                        let _e1225 = (_e1224 < _e103);
-                                                        if _e1225 {
-                                                            if _e1225 {
+                                                        let _e1220 = phi_1749_;
+                                                        let _e1225 = (_e1166 + 6u);
+                                                        let _e1226 = (_e1225 + _e364);
+                                                        let _e1227 = (_e1226 < _e105);
+                                                        if _e1227 {
+                                                            if _e1227 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1227 = global_10.member[_e1224];
-                                                            phi_1763_ = _e1227;
+                                                            let _e1229 = global_10.member[_e1226];
+                                                            phi_1769_ = _e1229;
                                                         } else {
-                                                            phi_1763_ = 0u;
+                                                            phi_1769_ = 0u;
                                                         }
-                                                        let _e1229 = phi_1763_;
-                                                        let _e1233 = (_e1223 + _e361);
-                                                        let _e1234 = (_e1233 < _e103);
-                                                        if _e1234 {
-                                                            if _e1234 {
+                                                        let _e1231 = phi_1769_;
+                                                        let _e1235 = (_e1225 + _e363);
+                                                        let _e1236 = (_e1235 < _e105);
+                                                        if _e1236 {
+                                                            if _e1236 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1236 = global_10.member[_e1233];
-                                                            phi_1781_ = _e1236;
+                                                            let _e1238 = global_10.member[_e1235];
+                                                            phi_1787_ = _e1238;
                                                         } else {
-                                                            phi_1781_ = 0u;
+                                                            phi_1787_ = 0u;
                                                         }
-                                                        let _e1238 = phi_1781_;
-                                                        let _e1242 = (_e1223 + _e363);
-                                                        let _e1243 = (_e1242 < _e103);
-                                                        if _e1243 {
-                                                            if _e1243 {
+                                                        let _e1240 = phi_1787_;
+                                                        let _e1244 = (_e1225 + _e365);
+                                                        let _e1245 = (_e1244 < _e105);
+                                                        if _e1245 {
+                                                            if _e1245 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1245 = global_10.member[_e1242];
-                                                            phi_1799_ = _e1245;
+                                                            let _e1247 = global_10.member[_e1244];
+                                                            phi_1805_ = _e1247;
                                                         } else {
-                                                            phi_1799_ = 0u;
+                                                            phi_1805_ = 0u;
                                                         }
-                                                        let _e1247 = phi_1799_;
-                                                        phi_1805_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1171)) * _e159), (f32(bitcast<i32>(_e1180)) * _e159), (f32(bitcast<i32>(_e1189)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1200)) * _e159), (f32(bitcast<i32>(_e1209)) * _e159), (f32(bitcast<i32>(_e1218)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1229)) * _e159), (f32(bitcast<i32>(_e1238)) * _e159), (f32(bitcast<i32>(_e1247)) * _e159)));
+                                                        let _e1249 = phi_1805_;
+                                                        phi_1811_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1173)) * _e161), (f32(bitcast<i32>(_e1182)) * _e161), (f32(bitcast<i32>(_e1191)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1202)) * _e161), (f32(bitcast<i32>(_e1211)) * _e161), (f32(bitcast<i32>(_e1220)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1231)) * _e161), (f32(bitcast<i32>(_e1240)) * _e161), (f32(bitcast<i32>(_e1249)) * _e161)));
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_1805_ = array<array<f32, 3>, 3>();
+                                                        phi_1811_ = array<array<f32, 3>, 3>();
                                                         break;
                                                     }
                                                 }
-                                                let _e1521 = phi_1805_;
-                                                let _e1529 = (_e1521[0][2] - _e467);
-                                                let _e1532 = (((_e1521[0][0] - _e394) * _e491) - (_e1529 * _e419));
-                                                let _e1535 = (((_e1521[0][1] - _e431) * _e491) - (_e1529 * _e455));
-                                                let _e1542 = (_e1521[1][2] - _e467);
-                                                let _e1545 = (((_e1521[1][0] - _e394) * _e491) - (_e1542 * _e419));
-                                                let _e1548 = (((_e1521[1][1] - _e431) * _e491) - (_e1542 * _e455));
-                                                let _e1555 = (_e1521[2][2] - _e467);
-                                                let _e1558 = (((_e1521[2][0] - _e394) * _e491) - (_e1555 * _e419));
-                                                let _e1561 = (((_e1521[2][1] - _e431) * _e491) - (_e1555 * _e455));
-                                                let _e1562 = (_e1558 * _e1548);
-                                                let _e1563 = (_e1561 * _e1545);
-                                                let _e1564 = (_e1532 * _e1561);
-                                                let _e1565 = (_e1535 * _e1558);
-                                                let _e1566 = (_e1545 * _e1535);
-                                                let _e1567 = (_e1548 * _e1532);
-                                                let _e1572 = (((_e1562 >= _e1563) && (_e1564 >= _e1565)) && (_e1566 >= _e1567));
-                                                if (_e1572 || (((_e1562 <= _e1563) && (_e1564 <= _e1565)) && (_e1566 <= _e1567))) {
-                                                    let _e1579 = select(-1f, 1f, _e1572);
-                                                    let _e1581 = ((_e1562 - _e1563) * _e1579);
-                                                    let _e1583 = select(0f, _e1581, (_e1581 > 0f));
-                                                    let _e1585 = ((_e1564 - _e1565) * _e1579);
-                                                    let _e1587 = select(0f, _e1585, (_e1585 > 0f));
-                                                    let _e1589 = ((_e1566 - _e1567) * _e1579);
-                                                    let _e1591 = select(0f, _e1589, (_e1589 > 0f));
-                                                    let _e1593 = ((_e1583 + _e1587) + _e1591);
-                                                    if (_e1593 < 0.000000000000000000000000000000000000011754944f) {
-                                                        phi_2371_ = type_25();
-                                                        phi_2372_ = true;
+                                                let _e1523 = phi_1811_;
+                                                let _e1531 = (_e1523[0][2] - _e469);
+                                                let _e1534 = (((_e1523[0][0] - _e396) * _e493) - (_e1531 * _e421));
+                                                let _e1537 = (((_e1523[0][1] - _e433) * _e493) - (_e1531 * _e457));
+                                                let _e1544 = (_e1523[1][2] - _e469);
+                                                let _e1547 = (((_e1523[1][0] - _e396) * _e493) - (_e1544 * _e421));
+                                                let _e1550 = (((_e1523[1][1] - _e433) * _e493) - (_e1544 * _e457));
+                                                let _e1557 = (_e1523[2][2] - _e469);
+                                                let _e1560 = (((_e1523[2][0] - _e396) * _e493) - (_e1557 * _e421));
+                                                let _e1563 = (((_e1523[2][1] - _e433) * _e493) - (_e1557 * _e457));
+                                                let _e1564 = (_e1560 * _e1550);
+                                                let _e1565 = (_e1563 * _e1547);
+                                                let _e1566 = (_e1534 * _e1563);
+                                                let _e1567 = (_e1537 * _e1560);
+                                                let _e1568 = (_e1547 * _e1537);
+                                                let _e1569 = (_e1550 * _e1534);
+                                                let _e1574 = (((_e1564 >= _e1565) && (_e1566 >= _e1567)) && (_e1568 >= _e1569));
+                                                if (_e1574 || (((_e1564 <= _e1565) && (_e1566 <= _e1567)) && (_e1568 <= _e1569))) {
+                                                    let _e1581 = select(-1f, 1f, _e1574);
+                                                    let _e1583 = ((_e1564 - _e1565) * _e1581);
+                                                    let _e1585 = select(0f, _e1583, (_e1583 > 0f));
+                                                    let _e1587 = ((_e1566 - _e1567) * _e1581);
+                                                    let _e1589 = select(0f, _e1587, (_e1587 > 0f));
+                                                    let _e1591 = ((_e1568 - _e1569) * _e1581);
+                                                    let _e1593 = select(0f, _e1591, (_e1591 > 0f));
+                                                    let _e1595 = ((_e1585 + _e1589) + _e1593);
+                                                    if (_e1595 < 0.000000000000000000000000000000000000011754944f) {
+                                                        phi_2639_ = type_25();
+                                                        phi_2640_ = true;
+                                                        phi_2641_ = false;
                                                     } else {
-                                                        let _e1596 = select(_e1521[1][0], _e1521[0][0], (_e1521[0][0] < _e1521[1][0]));
-                                                        let _e1600 = select(_e1521[1][0], _e1521[0][0], (_e1521[0][0] > _e1521[1][0]));
-                                                        let _e1604 = select(_e1521[1][1], _e1521[0][1], (_e1521[0][1] < _e1521[1][1]));
-                                                        let _e1608 = select(_e1521[1][1], _e1521[0][1], (_e1521[0][1] > _e1521[1][1]));
-                                                        let _e1612 = select(_e1521[1][2], _e1521[0][2], (_e1521[0][2] < _e1521[1][2]));
-                                                        let _e1616 = select(_e1521[1][2], _e1521[0][2], (_e1521[0][2] > _e1521[1][2]));
-                                                        let _e1621 = ((select(_e1521[2][0], _e1596, (_e1596 < _e1521[2][0])) - _e417) * _e422);
-                                                        let _e1622 = ((select(_e1521[2][0], _e1600, (_e1600 > _e1521[2][0])) - _e418) * _e422);
-                                                        let _e1625 = ((select(_e1521[2][1], _e1604, (_e1604 < _e1521[2][1])) - _e453) * _e458);
-                                                        let _e1626 = ((select(_e1521[2][1], _e1608, (_e1608 > _e1521[2][1])) - _e454) * _e458);
-                                                        let _e1629 = ((select(_e1521[2][2], _e1612, (_e1612 < _e1521[2][2])) - _e489) * _e494);
-                                                        let _e1630 = ((select(_e1521[2][2], _e1616, (_e1616 > _e1521[2][2])) - _e490) * _e494);
-                                                        let _e1632 = select(_e1630, _e1629, (_e1629 < _e1630));
-                                                        let _e1634 = select(_e1630, _e1629, (_e1629 > _e1630));
-                                                        let _e1636 = select(_e1622, _e1621, (_e1621 < _e1622));
-                                                        let _e1638 = select(_e1626, _e1625, (_e1625 < _e1626));
-                                                        let _e1640 = select(_e1638, _e1636, (_e1636 > _e1638));
-                                                        let _e1642 = select(_e1632, _e1640, (_e1640 > _e1632));
-                                                        let _e1644 = select(_e1622, _e1621, (_e1621 > _e1622));
-                                                        let _e1646 = select(_e1626, _e1625, (_e1625 > _e1626));
-                                                        let _e1648 = select(_e1646, _e1644, (_e1644 < _e1646));
-                                                        let _e1650 = select(_e1634, _e1648, (_e1648 < _e1634));
-                                                        let _e1651 = -(_e1632);
-                                                        let _e1657 = select(_e540, _e1642, (_e1642 > _e540));
-                                                        if (_e1657 > (_e1650 + (select(_e1651, _e1634, (_e1634 > _e1651)) * 0.0000019073523f))) {
-                                                            phi_2366_ = type_25();
-                                                            phi_2367_ = true;
+                                                        let _e1598 = select(_e1547, _e1534, (_e1534 < _e1547));
+                                                        if (select(_e1560, _e1598, (_e1598 < _e1560)) > 0f) {
+                                                            phi_1928_ = true;
                                                         } else {
-                                                            let _e1659 = (_e1657 > _e1092.member_1);
-                                                            if _e1659 {
-                                                                phi_2365_ = type_25();
+                                                            let _e1603 = select(_e1547, _e1534, (_e1534 > _e1547));
+                                                            phi_1928_ = (select(_e1560, _e1603, (_e1603 > _e1560)) < 0f);
+                                                        }
+                                                        let _e1608 = phi_1928_;
+                                                        if _e1608 {
+                                                            phi_2636_ = type_25();
+                                                            phi_2637_ = true;
+                                                            phi_2638_ = false;
+                                                        } else {
+                                                            let _e1610 = select(_e1550, _e1537, (_e1537 < _e1550));
+                                                            if (select(_e1563, _e1610, (_e1610 < _e1563)) > 0f) {
+                                                                phi_1957_ = true;
                                                             } else {
-                                                                let _e1663 = (_e1521[1][0] - _e1521[0][0]);
-                                                                let _e1664 = (_e1521[1][1] - _e1521[0][1]);
-                                                                let _e1665 = (_e1521[1][2] - _e1521[0][2]);
-                                                                let _e1666 = vec3<f32>(_e1663, _e1664, _e1665);
-                                                                let _e1667 = (_e1521[2][0] - _e1521[1][0]);
-                                                                let _e1668 = (_e1521[2][1] - _e1521[1][1]);
-                                                                let _e1669 = (_e1521[2][2] - _e1521[1][2]);
-                                                                let _e1670 = vec3<f32>(_e1667, _e1668, _e1669);
-                                                                let _e1671 = (_e1521[0][0] - _e1521[2][0]);
-                                                                let _e1672 = (_e1521[0][1] - _e1521[2][1]);
-                                                                let _e1673 = (_e1521[0][2] - _e1521[2][2]);
-                                                                let _e1674 = vec3<f32>(_e1671, _e1672, _e1673);
-                                                                let _e1677 = bitcast<f32>((bitcast<u32>(_e1663) & 2147483647u));
-                                                                let _e1680 = bitcast<f32>((bitcast<u32>(_e1664) & 2147483647u));
-                                                                let _e1682 = select(_e1680, _e1677, (_e1677 > _e1680));
-                                                                let _e1685 = bitcast<f32>((bitcast<u32>(_e1665) & 2147483647u));
-                                                                let _e1687 = select(_e1685, _e1682, (_e1682 > _e1685));
-                                                                let _e1690 = bitcast<f32>((bitcast<u32>(_e1667) & 2147483647u));
-                                                                let _e1693 = bitcast<f32>((bitcast<u32>(_e1668) & 2147483647u));
-                                                                let _e1695 = select(_e1693, _e1690, (_e1690 > _e1693));
-                                                                let _e1698 = bitcast<f32>((bitcast<u32>(_e1669) & 2147483647u));
-                                                                let _e1700 = select(_e1698, _e1695, (_e1695 > _e1698));
-                                                                let _e1703 = bitcast<f32>((bitcast<u32>(_e1671) & 2147483647u));
-                                                                let _e1706 = bitcast<f32>((bitcast<u32>(_e1672) & 2147483647u));
-                                                                let _e1708 = select(_e1706, _e1703, (_e1703 > _e1706));
-                                                                let _e1711 = bitcast<f32>((bitcast<u32>(_e1673) & 2147483647u));
-                                                                let _e1713 = select(_e1711, _e1708, (_e1708 > _e1711));
-                                                                let _e1715 = select(_e1700, _e1687, (_e1687 > _e1700));
-                                                                let _e1717 = select(_e1713, _e1715, (_e1715 > _e1713));
-                                                                if (_e1687 == _e1717) {
-                                                                    phi_2276_ = _e1670;
-                                                                    phi_2277_ = _e1674;
+                                                                let _e1615 = select(_e1550, _e1537, (_e1537 > _e1550));
+                                                                phi_1957_ = (select(_e1563, _e1615, (_e1615 > _e1563)) < 0f);
+                                                            }
+                                                            let _e1620 = phi_1957_;
+                                                            if _e1620 {
+                                                                phi_2634_ = type_25();
+                                                                phi_2635_ = false;
+                                                            } else {
+                                                                let _e1622 = select(_e1523[1][0], _e1523[0][0], (_e1523[0][0] < _e1523[1][0]));
+                                                                let _e1626 = select(_e1523[1][0], _e1523[0][0], (_e1523[0][0] > _e1523[1][0]));
+                                                                let _e1630 = select(_e1523[1][1], _e1523[0][1], (_e1523[0][1] < _e1523[1][1]));
+                                                                let _e1634 = select(_e1523[1][1], _e1523[0][1], (_e1523[0][1] > _e1523[1][1]));
+                                                                let _e1638 = select(_e1523[1][2], _e1523[0][2], (_e1523[0][2] < _e1523[1][2]));
+                                                                let _e1642 = select(_e1523[1][2], _e1523[0][2], (_e1523[0][2] > _e1523[1][2]));
+                                                                let _e1647 = ((select(_e1523[2][0], _e1622, (_e1622 < _e1523[2][0])) - _e419) * _e424);
+                                                                let _e1648 = ((select(_e1523[2][0], _e1626, (_e1626 > _e1523[2][0])) - _e420) * _e424);
+                                                                let _e1651 = ((select(_e1523[2][1], _e1630, (_e1630 < _e1523[2][1])) - _e455) * _e460);
+                                                                let _e1652 = ((select(_e1523[2][1], _e1634, (_e1634 > _e1523[2][1])) - _e456) * _e460);
+                                                                let _e1655 = ((select(_e1523[2][2], _e1638, (_e1638 < _e1523[2][2])) - _e491) * _e496);
+                                                                let _e1656 = ((select(_e1523[2][2], _e1642, (_e1642 > _e1523[2][2])) - _e492) * _e496);
+                                                                let _e1658 = select(_e1656, _e1655, (_e1655 < _e1656));
+                                                                let _e1660 = select(_e1656, _e1655, (_e1655 > _e1656));
+                                                                let _e1662 = select(_e1648, _e1647, (_e1647 < _e1648));
+                                                                let _e1664 = select(_e1652, _e1651, (_e1651 < _e1652));
+                                                                let _e1666 = select(_e1664, _e1662, (_e1662 > _e1664));
+                                                                let _e1668 = select(_e1658, _e1666, (_e1666 > _e1658));
+                                                                let _e1670 = select(_e1648, _e1647, (_e1647 > _e1648));
+                                                                let _e1672 = select(_e1652, _e1651, (_e1651 > _e1652));
+                                                                let _e1674 = select(_e1672, _e1670, (_e1670 < _e1672));
+                                                                let _e1676 = select(_e1660, _e1674, (_e1674 < _e1660));
+                                                                let _e1677 = -(_e1658);
+                                                                let _e1683 = select(_e542, _e1668, (_e1668 > _e542));
+                                                                if (_e1683 > (_e1676 + (select(_e1677, _e1660, (_e1660 > _e1677)) * 0.0000019073523f))) {
+                                                                    phi_2629_ = type_25();
+                                                                    phi_2630_ = true;
                                                                 } else {
-                                                                    let _e1720 = vec3((_e1700 == _e1717));
-                                                                    phi_2276_ = select(_e1666, _e1674, _e1720);
-                                                                    phi_2277_ = select(_e1670, _e1666, _e1720);
-                                                                }
-                                                                let _e1724 = phi_2276_;
-                                                                let _e1726 = phi_2277_;
-                                                                let _e1733 = ((_e1724.y * _e1726.z) - (_e1726.y * _e1724.z));
-                                                                let _e1738 = ((_e1724.z * _e1726.x) - (_e1726.z * _e1724.x));
-                                                                let _e1741 = ((_e1724.x * _e1726.y) - (_e1726.x * _e1724.y));
-                                                                if (_e1583 >= _e1587) {
-                                                                    phi_2308_ = select(true, false, (_e1583 >= _e1591));
-                                                                } else {
-                                                                    phi_2308_ = true;
-                                                                }
-                                                                let _e1746 = phi_2308_;
-                                                                if _e1746 {
-                                                                    phi_2317_ = select(vec3<f32>(_e1521[2][0], _e1521[2][1], _e1521[2][2]), vec3<f32>(_e1521[1][0], _e1521[1][1], _e1521[1][2]), vec3((_e1587 >= _e1591)));
-                                                                } else {
-                                                                    phi_2317_ = vec3<f32>(_e1521[0][0], _e1521[0][1], _e1521[0][2]);
-                                                                }
-                                                                let _e1751 = phi_2317_;
-                                                                let _e1768 = ((((_e1733 * (_e1751.x - _e394)) + (_e1738 * (_e1751.y - _e431))) + (_e1741 * (_e1751.z - _e467))) / (((_e1733 * _e419) + (_e1738 * _e455)) + (_e1741 * _e491)));
-                                                                let _e1770 = select(_e1650, _e1768, (_e1768 < _e1650));
-                                                                let _e1772 = select(_e1642, _e1770, (_e1770 > _e1642));
-                                                                if (_e1772 >= _e540) {
-                                                                    let _e1774 = (_e1772 <= _e1092.member_1);
-                                                                    if _e1774 {
-                                                                        let _e1775 = (1f / _e1593);
-                                                                        phi_2357_ = type_25(_e1772, (_e1587 * _e1775), (_e1591 * _e1775), _e1152);
+                                                                    let _e1685 = (_e1683 > _e1094.member_1);
+                                                                    if _e1685 {
+                                                                        phi_2628_ = type_25();
                                                                     } else {
-                                                                        phi_2357_ = type_25();
+                                                                        let _e1686 = vec3<f32>(_e1523[0][0], _e1523[0][1], _e1523[0][2]);
+                                                                        let _e1687 = vec3<f32>(_e1523[1][0], _e1523[1][1], _e1523[1][2]);
+                                                                        let _e1688 = vec3<f32>(_e1523[2][0], _e1523[2][1], _e1523[2][2]);
+                                                                        let _e1689 = (_e1523[1][0] - _e1523[0][0]);
+                                                                        let _e1690 = (_e1523[1][1] - _e1523[0][1]);
+                                                                        let _e1691 = (_e1523[1][2] - _e1523[0][2]);
+                                                                        let _e1692 = vec3<f32>(_e1689, _e1690, _e1691);
+                                                                        let _e1693 = (_e1523[2][0] - _e1523[1][0]);
+                                                                        let _e1694 = (_e1523[2][1] - _e1523[1][1]);
+                                                                        let _e1695 = (_e1523[2][2] - _e1523[1][2]);
+                                                                        let _e1696 = vec3<f32>(_e1693, _e1694, _e1695);
+                                                                        let _e1697 = (_e1523[0][0] - _e1523[2][0]);
+                                                                        let _e1698 = (_e1523[0][1] - _e1523[2][1]);
+                                                                        let _e1699 = (_e1523[0][2] - _e1523[2][2]);
+                                                                        let _e1700 = vec3<f32>(_e1697, _e1698, _e1699);
+                                                                        let _e1703 = bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u));
+                                                                        let _e1706 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
+                                                                        let _e1708 = select(_e1706, _e1703, (_e1703 > _e1706));
+                                                                        let _e1711 = bitcast<f32>((bitcast<u32>(_e1691) & 2147483647u));
+                                                                        let _e1713 = select(_e1711, _e1708, (_e1708 > _e1711));
+                                                                        let _e1716 = bitcast<f32>((bitcast<u32>(_e1693) & 2147483647u));
+                                                                        let _e1719 = bitcast<f32>((bitcast<u32>(_e1694) & 2147483647u));
+                                                                        let _e1721 = select(_e1719, _e1716, (_e1716 > _e1719));
+                                                                        let _e1724 = bitcast<f32>((bitcast<u32>(_e1695) & 2147483647u));
+                                                                        let _e1726 = select(_e1724, _e1721, (_e1721 > _e1724));
+                                                                        let _e1729 = bitcast<f32>((bitcast<u32>(_e1697) & 2147483647u));
+                                                                        let _e1732 = bitcast<f32>((bitcast<u32>(_e1698) & 2147483647u));
+                                                                        let _e1734 = select(_e1732, _e1729, (_e1729 > _e1732));
+                                                                        let _e1737 = bitcast<f32>((bitcast<u32>(_e1699) & 2147483647u));
+                                                                        let _e1739 = select(_e1737, _e1734, (_e1734 > _e1737));
+                                                                        let _e1741 = select(_e1726, _e1713, (_e1713 > _e1726));
+                                                                        let _e1743 = select(_e1739, _e1741, (_e1741 > _e1739));
+                                                                        if (_e1713 == _e1743) {
+                                                                            phi_2358_ = _e1550;
+                                                                            phi_2359_ = _e1547;
+                                                                            phi_2360_ = _e1537;
+                                                                            phi_2361_ = _e1534;
+                                                                            phi_2362_ = _e1686;
+                                                                            phi_2363_ = _e1700;
+                                                                            phi_2364_ = _e1696;
+                                                                            phi_2365_ = _e1692;
+                                                                        } else {
+                                                                            let _e1745 = (_e1726 == _e1743);
+                                                                            let _e1750 = vec3(_e1745);
+                                                                            phi_2358_ = select(_e1537, _e1563, _e1745);
+                                                                            phi_2359_ = select(_e1534, _e1560, _e1745);
+                                                                            phi_2360_ = select(_e1563, _e1550, _e1745);
+                                                                            phi_2361_ = select(_e1560, _e1547, _e1745);
+                                                                            phi_2362_ = select(_e1688, _e1687, _e1750);
+                                                                            phi_2363_ = select(_e1696, _e1692, _e1750);
+                                                                            phi_2364_ = select(_e1692, _e1700, _e1750);
+                                                                            phi_2365_ = select(_e1700, _e1696, _e1750);
+                                                                        }
+                                                                        let _e1756 = phi_2358_;
+                                                                        let _e1758 = phi_2359_;
+                                                                        let _e1760 = phi_2360_;
+                                                                        let _e1762 = phi_2361_;
+                                                                        let _e1764 = phi_2362_;
+                                                                        let _e1766 = phi_2363_;
+                                                                        let _e1768 = phi_2364_;
+                                                                        let _e1770 = phi_2365_;
+                                                                        let _e1777 = ((_e1768.y * _e1766.z) - (_e1766.y * _e1768.z));
+                                                                        let _e1782 = ((_e1768.z * _e1766.x) - (_e1766.z * _e1768.x));
+                                                                        let _e1785 = ((_e1768.x * _e1766.y) - (_e1766.x * _e1768.y));
+                                                                        if (_e1585 >= _e1589) {
+                                                                            phi_2396_ = select(true, false, (_e1585 >= _e1593));
+                                                                        } else {
+                                                                            phi_2396_ = true;
+                                                                        }
+                                                                        let _e1790 = phi_2396_;
+                                                                        if _e1790 {
+                                                                            phi_2405_ = select(_e1688, _e1687, vec3((_e1589 >= _e1593)));
+                                                                        } else {
+                                                                            phi_2405_ = _e1686;
+                                                                        }
+                                                                        let _e1795 = phi_2405_;
+                                                                        let _e1800 = (((_e1777 * _e421) + (_e1782 * _e457)) + (_e1785 * _e493));
+                                                                        let _e1811 = (((_e1777 * (_e1795.x - _e396)) + (_e1782 * (_e1795.y - _e433))) + (_e1785 * (_e1795.z - _e469)));
+                                                                        let _e1813 = (_e1758 - _e1762);
+                                                                        let _e1814 = (_e1756 - _e1760);
+                                                                        let _e1822 = (-(((_e1762 * _e1813) + (_e1760 * _e1814))) / ((_e1813 * _e1813) + (_e1814 * _e1814)));
+                                                                        let _e1824 = select(1f, _e1822, (_e1822 < 1f));
+                                                                        let _e1826 = select(0f, _e1824, (_e1824 > 0f));
+                                                                        let _e1839 = ((_e1764.x + (_e1770.x * _e1826)) - _e396);
+                                                                        let _e1840 = ((_e1764.y + (_e1770.y * _e1826)) - _e433);
+                                                                        let _e1841 = ((_e1764.z + (_e1770.z * _e1826)) - _e469);
+                                                                        let _e1842 = (_e1841 / _e493);
+                                                                        let _e1854 = bitcast<f32>((bitcast<u32>(_e1839) & 2147483647u));
+                                                                        let _e1857 = bitcast<f32>((bitcast<u32>(_e1840) & 2147483647u));
+                                                                        let _e1859 = select(_e1857, _e1854, (_e1854 > _e1857));
+                                                                        let _e1862 = bitcast<f32>((bitcast<u32>(_e1841) & 2147483647u));
+                                                                        let _e1864 = select(_e1862, _e1859, (_e1859 > _e1862));
+                                                                        let _e1870 = bitcast<f32>((bitcast<u32>(_e1777) & 2147483647u));
+                                                                        let _e1873 = bitcast<f32>((bitcast<u32>(_e1782) & 2147483647u));
+                                                                        let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
+                                                                        let _e1878 = bitcast<f32>((bitcast<u32>(_e1785) & 2147483647u));
+                                                                        if (bitcast<f32>((bitcast<u32>(((((_e1777 * _e1839) + (_e1782 * _e1840)) + (_e1785 * _e1841)) - _e1811)) & 2147483647u)) <= ((0.0000009536743f * select(_e1743, _e1864, (_e1864 > _e1743))) * select(_e1878, _e1875, (_e1875 > _e1878)))) {
+                                                                            let _e1888 = bitcast<f32>((bitcast<u32>(_e1768.x) & 2147483647u));
+                                                                            let _e1891 = bitcast<f32>((bitcast<u32>(_e1768.y) & 2147483647u));
+                                                                            let _e1893 = select(_e1891, _e1888, (_e1888 > _e1891));
+                                                                            let _e1896 = bitcast<f32>((bitcast<u32>(_e1768.z) & 2147483647u));
+                                                                            let _e1902 = bitcast<f32>((bitcast<u32>(_e1766.x) & 2147483647u));
+                                                                            let _e1905 = bitcast<f32>((bitcast<u32>(_e1766.y) & 2147483647u));
+                                                                            let _e1907 = select(_e1905, _e1902, (_e1902 > _e1905));
+                                                                            let _e1910 = bitcast<f32>((bitcast<u32>(_e1766.z) & 2147483647u));
+                                                                            phi_2572_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1800) & 2147483647u)) > ((0.0000038146973f * select(_e1896, _e1893, (_e1893 > _e1896))) * select(_e1910, _e1907, (_e1907 > _e1910)))));
+                                                                        } else {
+                                                                            phi_2572_ = true;
+                                                                        }
+                                                                        let _e1917 = phi_2572_;
+                                                                        if _e1917 {
+                                                                            let _e1928 = ((((_e1777 * (_e1839 - (_e421 * _e1842))) + (_e1782 * (_e1840 - (_e457 * _e1842)))) + (_e1785 * (_e1841 - _e1841))) / _e1800);
+                                                                            if (bitcast<f32>((bitcast<u32>(_e1928) & 2147483647u)) <= _e1743) {
+                                                                                phi_2596_ = (_e1842 + _e1928);
+                                                                            } else {
+                                                                                phi_2596_ = _e1842;
+                                                                            }
+                                                                            let _e1935 = phi_2596_;
+                                                                            phi_2597_ = _e1935;
+                                                                        } else {
+                                                                            phi_2597_ = (_e1811 / _e1800);
+                                                                        }
+                                                                        let _e1937 = phi_2597_;
+                                                                        let _e1939 = select(_e1676, _e1937, (_e1937 < _e1676));
+                                                                        let _e1941 = select(_e1668, _e1939, (_e1939 > _e1668));
+                                                                        if (_e1941 >= _e542) {
+                                                                            let _e1943 = (_e1941 <= _e1094.member_1);
+                                                                            if _e1943 {
+                                                                                let _e1944 = (1f / _e1595);
+                                                                                phi_2620_ = type_25(_e1941, (_e1589 * _e1944), (_e1593 * _e1944), _e1154);
+                                                                            } else {
+                                                                                phi_2620_ = type_25();
+                                                                            }
+                                                                            let _e1949 = phi_2620_;
+                                                                            phi_2622_ = _e1949;
+                                                                            phi_2623_ = select(true, false, _e1943);
+                                                                        } else {
+                                                                            phi_2622_ = type_25();
+                                                                            phi_2623_ = true;
+                                                                        }
+                                                                        let _e1952 = phi_2622_;
+                                                                        let _e1954 = phi_2623_;
+                                                                        if _e1954 {
+                                                                            phi_2627_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                        } else {
+                                                                            phi_2627_ = _e1952;
+                                                                        }
+                                                                        let _e1956 = phi_2627_;
+                                                                        phi_2628_ = _e1956;
                                                                     }
-                                                                    let _e1780 = phi_2357_;
-                                                                    phi_2359_ = _e1780;
-                                                                    phi_2360_ = select(true, false, _e1774);
-                                                                } else {
-                                                                    phi_2359_ = type_25();
-                                                                    phi_2360_ = true;
+                                                                    let _e1958 = phi_2628_;
+                                                                    phi_2629_ = _e1958;
+                                                                    phi_2630_ = _e1685;
                                                                 }
-                                                                let _e1783 = phi_2359_;
-                                                                let _e1785 = phi_2360_;
-                                                                if _e1785 {
-                                                                    phi_2364_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                } else {
-                                                                    phi_2364_ = _e1783;
-                                                                }
-                                                                let _e1787 = phi_2364_;
-                                                                phi_2365_ = _e1787;
+                                                                let _e1960 = phi_2629_;
+                                                                let _e1962 = phi_2630_;
+                                                                phi_2634_ = _e1960;
+                                                                phi_2635_ = _e1962;
                                                             }
-                                                            let _e1789 = phi_2365_;
-                                                            phi_2366_ = _e1789;
-                                                            phi_2367_ = _e1659;
+                                                            let _e1964 = phi_2634_;
+                                                            let _e1966 = phi_2635_;
+                                                            phi_2636_ = _e1964;
+                                                            phi_2637_ = _e1620;
+                                                            phi_2638_ = _e1966;
                                                         }
-                                                        let _e1791 = phi_2366_;
-                                                        let _e1793 = phi_2367_;
-                                                        phi_2371_ = _e1791;
-                                                        phi_2372_ = _e1793;
+                                                        let _e1968 = phi_2636_;
+                                                        let _e1970 = phi_2637_;
+                                                        let _e1972 = phi_2638_;
+                                                        phi_2639_ = _e1968;
+                                                        phi_2640_ = _e1970;
+                                                        phi_2641_ = _e1972;
                                                     }
-                                                    let _e1795 = phi_2371_;
-                                                    let _e1797 = phi_2372_;
-                                                    phi_2376_ = _e1795;
-                                                    phi_2377_ = _e1797;
+                                                    let _e1974 = phi_2639_;
+                                                    let _e1976 = phi_2640_;
+                                                    let _e1978 = phi_2641_;
+                                                    phi_2649_ = _e1974;
+                                                    phi_2650_ = select(_e1978, true, _e1976);
                                                 } else {
-                                                    phi_2376_ = type_25();
-                                                    phi_2377_ = true;
+                                                    phi_2649_ = type_25();
+                                                    phi_2650_ = true;
                                                 }
-                                                let _e1799 = phi_2376_;
-                                                let _e1801 = phi_2377_;
-                                                if _e1801 {
-                                                    phi_2381_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                let _e1981 = phi_2649_;
+                                                let _e1983 = phi_2650_;
+                                                if _e1983 {
+                                                    phi_2654_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                 } else {
-                                                    phi_2381_ = _e1799;
+                                                    phi_2654_ = _e1981;
                                                 }
-                                                let _e1803 = phi_2381_;
-                                                if (_e1803.member_3 != 4294967295u) {
-                                                    if (_e1152 == _e168) {
-                                                        phi_2710_ = false;
+                                                let _e1985 = phi_2654_;
+                                                if (_e1985.member_3 != 4294967295u) {
+                                                    if (_e1154 == _e170) {
+                                                        phi_2983_ = false;
                                                     } else {
-                                                        let _e1807 = (_e1152 < arrayLength((&global_5.member)));
-                                                        if _e1807 {
-                                                            if _e1807 {
+                                                        let _e1989 = (_e1154 < arrayLength((&global_5.member)));
+                                                        if _e1989 {
+                                                            if _e1989 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1809 = global_5.member[_e1152];
-                                                            phi_2404_ = _e1809;
+                                                            let _e1991 = global_5.member[_e1154];
+                                                            phi_2677_ = _e1991;
                                                         } else {
-                                                            phi_2404_ = 4294967295u;
+                                                            phi_2677_ = 4294967295u;
                                                         }
-                                                        let _e1811 = phi_2404_;
-                                                        let _e1812 = (_e1811 < arrayLength((&global_6.member)));
-                                                        if _e1812 {
-                                                            if _e1812 {
+                                                        let _e1993 = phi_2677_;
+                                                        let _e1994 = (_e1993 < arrayLength((&global_6.member)));
+                                                        if _e1994 {
+                                                            if _e1994 {
                                                             } else {
-                                                                phi_4317_ = true;
+                                                                phi_4590_ = true;
                                                                 break;
                                                             }
-                                                            let _e1814 = global_6.member[_e1811];
-                                                            phi_2418_ = _e1814;
+                                                            let _e1996 = global_6.member[_e1993];
+                                                            phi_2691_ = _e1996;
                                                         } else {
-                                                            phi_2418_ = 0i;
+                                                            phi_2691_ = 0i;
                                                         }
-                                                        let _e1816 = phi_2418_;
-                                                        let _e1817 = (_e1816 == 0i);
-                                                        if _e1817 {
-                                                            phi_2709_ = true;
+                                                        let _e1998 = phi_2691_;
+                                                        let _e1999 = (_e1998 == 0i);
+                                                        if _e1999 {
+                                                            phi_2982_ = true;
                                                         } else {
-                                                            if _e386 {
-                                                                phi_2439_ = vec3<f32>(_e1521[0][0], _e1521[0][1], _e1521[0][2]);
+                                                            if _e388 {
+                                                                phi_2712_ = vec3<f32>(_e1523[0][0], _e1523[0][1], _e1523[0][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2438_ = vec3<f32>(_e1521[0][2], _e1521[0][0], _e1521[0][1]);
+                                                                if (_e364 == 1u) {
+                                                                    phi_2711_ = vec3<f32>(_e1523[0][2], _e1523[0][0], _e1523[0][1]);
                                                                 } else {
-                                                                    phi_2438_ = vec3<f32>(_e1521[0][1], _e1521[0][2], _e1521[0][0]);
+                                                                    phi_2711_ = vec3<f32>(_e1523[0][1], _e1523[0][2], _e1523[0][0]);
                                                                 }
-                                                                let _e1822 = phi_2438_;
-                                                                phi_2439_ = _e1822;
+                                                                let _e2004 = phi_2711_;
+                                                                phi_2712_ = _e2004;
                                                             }
-                                                            let _e1825 = phi_2439_;
-                                                            if _e386 {
-                                                                phi_2456_ = vec3<f32>(_e1521[1][0], _e1521[1][1], _e1521[1][2]);
+                                                            let _e2007 = phi_2712_;
+                                                            if _e388 {
+                                                                phi_2729_ = vec3<f32>(_e1523[1][0], _e1523[1][1], _e1523[1][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2455_ = vec3<f32>(_e1521[1][2], _e1521[1][0], _e1521[1][1]);
+                                                                if (_e364 == 1u) {
+                                                                    phi_2728_ = vec3<f32>(_e1523[1][2], _e1523[1][0], _e1523[1][1]);
                                                                 } else {
-                                                                    phi_2455_ = vec3<f32>(_e1521[1][1], _e1521[1][2], _e1521[1][0]);
+                                                                    phi_2728_ = vec3<f32>(_e1523[1][1], _e1523[1][2], _e1523[1][0]);
                                                                 }
-                                                                let _e1830 = phi_2455_;
-                                                                phi_2456_ = _e1830;
+                                                                let _e2012 = phi_2728_;
+                                                                phi_2729_ = _e2012;
                                                             }
-                                                            let _e1833 = phi_2456_;
-                                                            if _e386 {
-                                                                phi_2473_ = vec3<f32>(_e1521[2][0], _e1521[2][1], _e1521[2][2]);
+                                                            let _e2015 = phi_2729_;
+                                                            if _e388 {
+                                                                phi_2746_ = vec3<f32>(_e1523[2][0], _e1523[2][1], _e1523[2][2]);
                                                             } else {
-                                                                if (_e362 == 1u) {
-                                                                    phi_2472_ = vec3<f32>(_e1521[2][2], _e1521[2][0], _e1521[2][1]);
+                                                                if (_e364 == 1u) {
+                                                                    phi_2745_ = vec3<f32>(_e1523[2][2], _e1523[2][0], _e1523[2][1]);
                                                                 } else {
-                                                                    phi_2472_ = vec3<f32>(_e1521[2][1], _e1521[2][2], _e1521[2][0]);
+                                                                    phi_2745_ = vec3<f32>(_e1523[2][1], _e1523[2][2], _e1523[2][0]);
                                                                 }
-                                                                let _e1838 = phi_2472_;
-                                                                phi_2473_ = _e1838;
+                                                                let _e2020 = phi_2745_;
+                                                                phi_2746_ = _e2020;
                                                             }
-                                                            let _e1841 = phi_2473_;
-                                                            let _e1844 = (_e1833.x - _e1825.x);
-                                                            let _e1847 = (_e1833.y - _e1825.y);
-                                                            let _e1850 = (_e1833.z - _e1825.z);
-                                                            let _e1852 = (_e1841.x - _e1825.x);
-                                                            let _e1854 = (_e1841.y - _e1825.y);
-                                                            let _e1856 = (_e1841.z - _e1825.z);
-                                                            if (_e240.member_1 == 1u) {
-                                                                phi_2509_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e1825);
+                                                            let _e2023 = phi_2746_;
+                                                            let _e2026 = (_e2015.x - _e2007.x);
+                                                            let _e2029 = (_e2015.y - _e2007.y);
+                                                            let _e2032 = (_e2015.z - _e2007.z);
+                                                            let _e2034 = (_e2023.x - _e2007.x);
+                                                            let _e2036 = (_e2023.y - _e2007.y);
+                                                            let _e2038 = (_e2023.z - _e2007.z);
+                                                            if (_e242.member_1 == 1u) {
+                                                                phi_2782_ = (vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]) - _e2007);
                                                             } else {
-                                                                phi_2509_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
+                                                                phi_2782_ = vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]);
                                                             }
-                                                            let _e1871 = phi_2509_;
-                                                            let _e1877 = bitcast<f32>((bitcast<u32>((_e1844 * _e1854)) ^ _e240.member_3[0]));
-                                                            let _e1881 = bitcast<f32>((bitcast<u32>((_e1847 * _e1852)) ^ _e240.member_3[0]));
-                                                            let _e1885 = bitcast<f32>((bitcast<u32>((_e1847 * _e1856)) ^ _e240.member_3[0]));
-                                                            let _e1889 = bitcast<f32>((bitcast<u32>((_e1850 * _e1854)) ^ _e240.member_3[0]));
-                                                            let _e1893 = bitcast<f32>((bitcast<u32>((_e1850 * _e1852)) ^ _e240.member_3[0]));
-                                                            let _e1897 = bitcast<f32>((bitcast<u32>((_e1844 * _e1856)) ^ _e240.member_3[0]));
-                                                            let _e1898 = (_e1885 - _e1889);
-                                                            let _e1899 = (_e1893 - _e1897);
-                                                            let _e1900 = (_e1877 - _e1881);
-                                                            let _e1924 = (bitcast<f32>((bitcast<u32>(_e1885) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1889) & 2147483647u)));
-                                                            let _e1931 = (bitcast<f32>((bitcast<u32>(_e1893) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1897) & 2147483647u)));
-                                                            let _e1938 = (bitcast<f32>((bitcast<u32>(_e1877) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1881) & 2147483647u)));
-                                                            if (_e240.member_2 == 0f) {
-                                                                phi_2691_ = 0f;
+                                                            let _e2053 = phi_2782_;
+                                                            let _e2059 = bitcast<f32>((bitcast<u32>((_e2026 * _e2036)) ^ _e242.member_3[0]));
+                                                            let _e2063 = bitcast<f32>((bitcast<u32>((_e2029 * _e2034)) ^ _e242.member_3[0]));
+                                                            let _e2067 = bitcast<f32>((bitcast<u32>((_e2029 * _e2038)) ^ _e242.member_3[0]));
+                                                            let _e2071 = bitcast<f32>((bitcast<u32>((_e2032 * _e2036)) ^ _e242.member_3[0]));
+                                                            let _e2075 = bitcast<f32>((bitcast<u32>((_e2032 * _e2034)) ^ _e242.member_3[0]));
+                                                            let _e2079 = bitcast<f32>((bitcast<u32>((_e2026 * _e2038)) ^ _e242.member_3[0]));
+                                                            let _e2080 = (_e2067 - _e2071);
+                                                            let _e2081 = (_e2075 - _e2079);
+                                                            let _e2082 = (_e2059 - _e2063);
+                                                            let _e2106 = (bitcast<f32>((bitcast<u32>(_e2067) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2071) & 2147483647u)));
+                                                            let _e2113 = (bitcast<f32>((bitcast<u32>(_e2075) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2079) & 2147483647u)));
+                                                            let _e2120 = (bitcast<f32>((bitcast<u32>(_e2059) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2063) & 2147483647u)));
+                                                            if (_e242.member_2 == 0f) {
+                                                                phi_2964_ = 0f;
                                                             } else {
-                                                                let _e1968 = bitcast<f32>((bitcast<u32>(_e1898) & 2147483647u));
-                                                                let _e1971 = bitcast<f32>((bitcast<u32>(_e1899) & 2147483647u));
-                                                                let _e1974 = bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u));
-                                                                let _e1976 = select(_e1974, _e1971, (_e1971 > _e1974));
-                                                                let _e1980 = select(_e1974, _e1971, (_e1971 < _e1974));
-                                                                let _e1984 = select(_e1971, _e1968, (_e1968 < _e1971));
-                                                                let _e1986 = select(_e1971, _e1968, (_e1968 > _e1971));
-                                                                let _e1988 = select(_e1974, _e1986, (_e1986 < _e1974));
-                                                                phi_2691_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1976, _e1968, (_e1968 > _e1976)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1988, _e1984, (_e1984 > _e1988)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1980, _e1968, (_e1968 < _e1980)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1924 + _e1931) + _e1938))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
+                                                                let _e2150 = bitcast<f32>((bitcast<u32>(_e2080) & 2147483647u));
+                                                                let _e2153 = bitcast<f32>((bitcast<u32>(_e2081) & 2147483647u));
+                                                                let _e2156 = bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u));
+                                                                let _e2158 = select(_e2156, _e2153, (_e2153 > _e2156));
+                                                                let _e2162 = select(_e2156, _e2153, (_e2153 < _e2156));
+                                                                let _e2166 = select(_e2153, _e2150, (_e2150 < _e2153));
+                                                                let _e2168 = select(_e2153, _e2150, (_e2150 > _e2153));
+                                                                let _e2170 = select(_e2156, _e2168, (_e2168 < _e2156));
+                                                                phi_2964_ = bitcast<f32>((bitcast<u32>((_e242.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2158, _e2150, (_e2150 > _e2158)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2170, _e2166, (_e2166 > _e2170)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2162, _e2150, (_e2150 < _e2162)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2106 + _e2113) + _e2120))) ^ _e242.member_3[0]))) * 1.0000005f)) ^ _e242.member_3[0])))) ^ _e242.member_3[0]));
                                                             }
-                                                            let _e2015 = phi_2691_;
-                                                            phi_2709_ = (_e1817 || !(((((bitcast<f32>((bitcast<u32>((_e1871.x * _e1898)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1871.y * _e1899)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1871.z * _e1900)) ^ _e240.member_3[0]))) * f32(-(_e1816))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.x) & 2147483647u)) * _e1924)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.y) & 2147483647u)) * _e1931)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1871.z) & 2147483647u)) * _e1938)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2015) + 0.0000000000000000000000000000000000001880791f))));
+                                                            let _e2197 = phi_2964_;
+                                                            phi_2982_ = (_e1999 || !(((((bitcast<f32>((bitcast<u32>((_e2053.x * _e2080)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2053.y * _e2081)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2053.z * _e2082)) ^ _e242.member_3[0]))) * f32(-(_e1998))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.x) & 2147483647u)) * _e2106)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.y) & 2147483647u)) * _e2113)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2053.z) & 2147483647u)) * _e2120)) ^ _e242.member_3[0]))))) ^ _e242.member_3[0])) + _e2197) + 0.0000000000000000000000000000000000001880791f))));
                                                         }
-                                                        let _e2029 = phi_2709_;
-                                                        phi_2710_ = _e2029;
+                                                        let _e2211 = phi_2982_;
+                                                        phi_2983_ = _e2211;
                                                     }
-                                                    let _e2031 = phi_2710_;
-                                                    if _e2031 {
-                                                        if (_e1803.member < _e1092.member.member) {
-                                                            phi_2730_ = true;
+                                                    let _e2213 = phi_2983_;
+                                                    if _e2213 {
+                                                        if (_e1985.member < _e1094.member.member) {
+                                                            phi_3003_ = true;
                                                         } else {
-                                                            if (_e1803.member == _e1092.member.member) {
-                                                                phi_2729_ = (_e1803.member_3 < _e1092.member.member_3);
+                                                            if (_e1985.member == _e1094.member.member) {
+                                                                phi_3002_ = (_e1985.member_3 < _e1094.member.member_3);
                                                             } else {
-                                                                phi_2729_ = false;
+                                                                phi_3002_ = false;
                                                             }
-                                                            let _e2041 = phi_2729_;
-                                                            phi_2730_ = _e2041;
+                                                            let _e2223 = phi_3002_;
+                                                            phi_3003_ = _e2223;
                                                         }
-                                                        let _e2043 = phi_2730_;
-                                                        if _e2043 {
-                                                            phi_2736_ = type_42(_e1803, _e1803.member);
+                                                        let _e2225 = phi_3003_;
+                                                        if _e2225 {
+                                                            phi_3009_ = type_42(_e1985, _e1985.member);
                                                         } else {
-                                                            phi_2736_ = _e1092;
+                                                            phi_3009_ = _e1094;
                                                         }
-                                                        let _e2046 = phi_2736_;
-                                                        phi_2737_ = _e2046;
+                                                        let _e2228 = phi_3009_;
+                                                        phi_3010_ = _e2228;
                                                     } else {
-                                                        phi_2737_ = _e1092;
+                                                        phi_3010_ = _e1094;
                                                     }
-                                                    let _e2048 = phi_2737_;
-                                                    phi_2738_ = _e2048;
+                                                    let _e2230 = phi_3010_;
+                                                    phi_3011_ = _e2230;
                                                 } else {
-                                                    phi_2738_ = _e1092;
+                                                    phi_3011_ = _e1094;
                                                 }
-                                                let _e2050 = phi_2738_;
-                                                phi_1087_ = _e2050;
+                                                let _e2232 = phi_3011_;
+                                                phi_1093_ = _e2232;
                                             } else {
-                                                phi_1087_ = type_42();
+                                                phi_1093_ = type_42();
                                             }
-                                            let _e2052 = phi_1087_;
+                                            let _e2234 = phi_1093_;
                                             continue;
                                             continuing {
-                                                phi_1086_ = _e2052;
-                                                phi_1089_ = _e1107;
-                                                phi_4317_ = _e582;
-                                                break if !(_e1113);
+                                                phi_1092_ = _e2234;
+                                                phi_1095_ = _e1109;
+                                                phi_4590_ = _e584;
+                                                break if !(_e1115);
                                             }
                                         }
-                                        let _e2055 = phi_4317_;
-                                        phi_4502_ = _e2055;
-                                        if _e2055 {
+                                        let _e2237 = phi_4590_;
+                                        phi_4803_ = _e2237;
+                                        if _e2237 {
                                             break;
                                         }
-                                        phi_4506_ = _e2055;
-                                        let _e2304 = local_11;
-                                        phi_3978_ = _e2304;
-                                        phi_3979_ = _e623;
-                                        phi_3980_ = false;
-                                        phi_3981_ = _e627;
+                                        phi_4807_ = _e2237;
+                                        let _e2503 = local_11;
+                                        phi_4251_ = _e2503;
+                                        phi_4252_ = _e625;
+                                        phi_4253_ = false;
+                                        phi_4254_ = _e629;
                                     } else {
-                                        if (_e623.member_1 >= _e100) {
-                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                        if (_e625.member_1 >= _e102) {
+                                            phi_3807_ = type_58(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_57(type_37(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                         } else {
-                                            if (_e623.member_1 < _e100) {
+                                            if (_e625.member_1 < _e102) {
                                             } else {
-                                                phi_4502_ = true;
+                                                phi_4803_ = true;
                                                 break;
                                             }
-                                            let _e640 = ((1u + _e362) % 4u);
-                                            if (_e640 < 4u) {
+                                            let _e642 = ((1u + _e364) % 4u);
+                                            if (_e642 < 4u) {
                                             } else {
-                                                phi_4502_ = true;
+                                                phi_4803_ = true;
                                                 break;
                                             }
-                                            let _e645 = global_4.member[_e623.member_1][_e640];
-                                            let _e647 = (_e645 >> bitcast<u32>(11u));
-                                            let _e649 = ((1u + _e361) % 4u);
-                                            if (_e649 < 4u) {
+                                            let _e647 = global_4.member[_e625.member_1][_e642];
+                                            let _e649 = (_e647 >> bitcast<u32>(11u));
+                                            let _e651 = ((1u + _e363) % 4u);
+                                            if (_e651 < 4u) {
                                             } else {
-                                                phi_4502_ = true;
+                                                phi_4803_ = true;
                                                 break;
                                             }
-                                            let _e654 = global_4.member[_e623.member_1][_e649];
-                                            let _e656 = (_e654 >> bitcast<u32>(11u));
-                                            let _e658 = ((1u + _e363) % 4u);
-                                            if (_e658 < 4u) {
+                                            let _e656 = global_4.member[_e625.member_1][_e651];
+                                            let _e658 = (_e656 >> bitcast<u32>(11u));
+                                            let _e660 = ((1u + _e365) % 4u);
+                                            if (_e660 < 4u) {
                                             } else {
-                                                phi_4502_ = true;
+                                                phi_4803_ = true;
                                                 break;
                                             }
-                                            let _e663 = global_4.member[_e623.member_1][_e658];
-                                            let _e665 = (_e663 >> bitcast<u32>(11u));
-                                            let _e688 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.x - _e623.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                            let _e689 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.y - _e623.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                            let _e690 = (bitcast<f32>((bitcast<u32>((_e623.member.member_1.z - _e623.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                            let _e692 = select(_e159, _e688, (_e688 > _e159));
-                                            let _e694 = select(_e159, _e689, (_e689 > _e159));
-                                            let _e696 = select(_e159, _e690, (_e690 > _e159));
-                                            let _e721 = bitcast<u32>((f32(bitcast<i32>((_e645 & 1023u))) * _e692));
-                                            let _e726 = (bitcast<i32>((_e645 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e729 = bitcast<f32>((_e721 & bitcast<u32>(_e726)));
-                                            let _e730 = bitcast<u32>((f32(bitcast<i32>((_e654 & 1023u))) * _e694));
-                                            let _e735 = (bitcast<i32>((_e654 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e738 = bitcast<f32>((_e730 & bitcast<u32>(_e735)));
-                                            let _e739 = bitcast<u32>((f32(bitcast<i32>((_e663 & 1023u))) * _e696));
-                                            let _e744 = (bitcast<i32>((_e663 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e747 = bitcast<f32>((_e739 & bitcast<u32>(_e744)));
-                                            let _e751 = bitcast<f32>((_e721 & bitcast<u32>(~(_e726))));
-                                            let _e755 = bitcast<f32>((_e730 & bitcast<u32>(~(_e735))));
-                                            let _e759 = bitcast<f32>((_e739 & bitcast<u32>(~(_e744))));
-                                            let _e760 = bitcast<u32>((f32(bitcast<i32>((_e647 & 1023u))) * _e692));
-                                            let _e765 = (bitcast<i32>((_e647 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e768 = bitcast<f32>((_e760 & bitcast<u32>(_e765)));
-                                            let _e769 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e694));
-                                            let _e774 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e777 = bitcast<f32>((_e769 & bitcast<u32>(_e774)));
-                                            let _e778 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e696));
-                                            let _e783 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                            let _e786 = bitcast<f32>((_e778 & bitcast<u32>(_e783)));
-                                            let _e790 = bitcast<f32>((_e760 & bitcast<u32>(~(_e765))));
-                                            let _e794 = bitcast<f32>((_e769 & bitcast<u32>(~(_e774))));
-                                            let _e798 = bitcast<f32>((_e778 & bitcast<u32>(~(_e783))));
-                                            let _e799 = (_e623.member.member.x + _e729);
-                                            let _e800 = (_e623.member.member.y + _e738);
-                                            let _e801 = (_e623.member.member.z + _e747);
-                                            let _e804 = (_e623.member.member_1.x - _e768);
-                                            let _e805 = (_e623.member.member_1.y - _e777);
-                                            let _e806 = (_e623.member.member_1.z - _e786);
-                                            let _e825 = (_e804 - _e799);
-                                            let _e826 = (_e805 - _e800);
+                                            let _e665 = global_4.member[_e625.member_1][_e660];
+                                            let _e667 = (_e665 >> bitcast<u32>(11u));
+                                            let _e690 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.x - _e625.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                            let _e691 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.y - _e625.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                            let _e692 = (bitcast<f32>((bitcast<u32>((_e625.member.member_1.z - _e625.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                            let _e694 = select(_e161, _e690, (_e690 > _e161));
+                                            let _e696 = select(_e161, _e691, (_e691 > _e161));
+                                            let _e698 = select(_e161, _e692, (_e692 > _e161));
+                                            let _e723 = bitcast<u32>((f32(bitcast<i32>((_e647 & 1023u))) * _e694));
+                                            let _e728 = (bitcast<i32>((_e647 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e731 = bitcast<f32>((_e723 & bitcast<u32>(_e728)));
+                                            let _e732 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e696));
+                                            let _e737 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e740 = bitcast<f32>((_e732 & bitcast<u32>(_e737)));
+                                            let _e741 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e698));
+                                            let _e746 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e749 = bitcast<f32>((_e741 & bitcast<u32>(_e746)));
+                                            let _e753 = bitcast<f32>((_e723 & bitcast<u32>(~(_e728))));
+                                            let _e757 = bitcast<f32>((_e732 & bitcast<u32>(~(_e737))));
+                                            let _e761 = bitcast<f32>((_e741 & bitcast<u32>(~(_e746))));
+                                            let _e762 = bitcast<u32>((f32(bitcast<i32>((_e649 & 1023u))) * _e694));
+                                            let _e767 = (bitcast<i32>((_e649 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e770 = bitcast<f32>((_e762 & bitcast<u32>(_e767)));
+                                            let _e771 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e696));
+                                            let _e776 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
+                                            let _e780 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e698));
+                                            let _e785 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                            let _e788 = bitcast<f32>((_e780 & bitcast<u32>(_e785)));
+                                            let _e792 = bitcast<f32>((_e762 & bitcast<u32>(~(_e767))));
+                                            let _e796 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
+                                            let _e800 = bitcast<f32>((_e780 & bitcast<u32>(~(_e785))));
+                                            let _e801 = (_e625.member.member.x + _e731);
+                                            let _e802 = (_e625.member.member.y + _e740);
+                                            let _e803 = (_e625.member.member.z + _e749);
+                                            let _e806 = (_e625.member.member_1.x - _e770);
+                                            let _e807 = (_e625.member.member_1.y - _e779);
+                                            let _e808 = (_e625.member.member_1.z - _e788);
                                             let _e827 = (_e806 - _e801);
-                                            let _e829 = select(_e826, _e825, (_e825 > _e826));
-                                            let _e831 = select(_e827, _e829, (_e829 > _e827));
-                                            if (_e831 < (1024f * _e159)) {
-                                                phi_3235_ = 0u;
+                                            let _e828 = (_e807 - _e802);
+                                            let _e829 = (_e808 - _e803);
+                                            let _e831 = select(_e828, _e827, (_e827 > _e828));
+                                            let _e833 = select(_e829, _e831, (_e831 > _e829));
+                                            if (_e833 < (1024f * _e161)) {
+                                                phi_3508_ = 0u;
                                             } else {
-                                                phi_3235_ = select(2u, 1u, (_e831 < (2097152f * _e159)));
+                                                phi_3508_ = select(2u, 1u, (_e833 < (2097152f * _e161)));
                                             }
-                                            let _e838 = phi_3235_;
-                                            switch bitcast<i32>(_e838) {
+                                            let _e840 = phi_3508_;
+                                            switch bitcast<i32>(_e840) {
                                                 case 0: {
-                                                    phi_3241_ = 1u;
+                                                    phi_3514_ = 1u;
                                                     break;
                                                 }
                                                 case 1: {
-                                                    phi_3241_ = 2u;
+                                                    phi_3514_ = 2u;
                                                     break;
                                                 }
                                                 case 2: {
-                                                    phi_3241_ = 3u;
+                                                    phi_3514_ = 3u;
                                                     break;
                                                 }
                                                 default: {
-                                                    phi_3241_ = u32();
+                                                    phi_3514_ = u32();
                                                     break;
                                                 }
                                             }
-                                            let _e841 = phi_3241_;
-                                            let _e847 = global_4.member[_e623.member_1][0u];
-                                            let _e851 = global_4.member[_e623.member_1][1u];
-                                            let _e855 = global_4.member[_e623.member_1][2u];
-                                            let _e859 = global_4.member[_e623.member_1][3u];
-                                            let _e871 = (((_e851 >> bitcast<u32>(22i)) | ((_e855 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e859 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                            let _e872 = (_e847 & 268435455u);
-                                            let _e873 = (_e871 & 268435455u);
-                                            let _e876 = ((_e847 >> bitcast<u32>(28u)) & 7u);
-                                            let _e884 = ((_e847 >> bitcast<u32>(31i)) | (((_e871 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                            let _e885 = (_e876 != 0u);
-                                            if (_e876 == 0u) {
-                                                phi_3496_ = _e872;
+                                            let _e843 = phi_3514_;
+                                            let _e849 = global_4.member[_e625.member_1][0u];
+                                            let _e853 = global_4.member[_e625.member_1][1u];
+                                            let _e857 = global_4.member[_e625.member_1][2u];
+                                            let _e861 = global_4.member[_e625.member_1][3u];
+                                            let _e873 = (((_e853 >> bitcast<u32>(22i)) | ((_e857 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e861 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                            let _e874 = (_e849 & 268435455u);
+                                            let _e875 = (_e873 & 268435455u);
+                                            let _e878 = ((_e849 >> bitcast<u32>(28u)) & 7u);
+                                            let _e886 = ((_e849 >> bitcast<u32>(31i)) | (((_e873 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                            let _e887 = (_e878 != 0u);
+                                            if (_e878 == 0u) {
+                                                phi_3769_ = _e874;
                                             } else {
-                                                if (_e876 == 7u) {
-                                                    phi_3495_ = 2147483648u;
+                                                if (_e878 == 7u) {
+                                                    phi_3768_ = 2147483648u;
                                                 } else {
-                                                    phi_3495_ = ((2147483648u | (_e876 << bitcast<u32>(28u))) | (_e873 & 268435455u));
+                                                    phi_3768_ = ((2147483648u | (_e878 << bitcast<u32>(28u))) | (_e875 & 268435455u));
                                                 }
-                                                let _e894 = phi_3495_;
-                                                phi_3496_ = _e894;
+                                                let _e896 = phi_3768_;
+                                                phi_3769_ = _e896;
                                             }
-                                            let _e896 = phi_3496_;
-                                            if _e885 {
-                                                let _e897 = (_e876 != 7u);
-                                                if _e897 {
-                                                    phi_3506_ = (_e873 + (_e876 * ((3u * _e841) + 1u)));
+                                            let _e898 = phi_3769_;
+                                            if _e887 {
+                                                let _e899 = (_e878 != 7u);
+                                                if _e899 {
+                                                    phi_3779_ = (_e875 + (_e878 * ((3u * _e843) + 1u)));
                                                 } else {
-                                                    phi_3506_ = u32();
+                                                    phi_3779_ = u32();
                                                 }
-                                                let _e901 = phi_3506_;
-                                                phi_3508_ = _e901;
-                                                phi_3509_ = select(true, false, _e897);
+                                                let _e903 = phi_3779_;
+                                                phi_3781_ = _e903;
+                                                phi_3782_ = select(true, false, _e899);
                                             } else {
-                                                phi_3508_ = u32();
-                                                phi_3509_ = true;
+                                                phi_3781_ = u32();
+                                                phi_3782_ = true;
                                             }
-                                            let _e904 = phi_3508_;
-                                            let _e906 = phi_3509_;
-                                            if (_e884 == 0u) {
-                                                phi_3530_ = (_e872 + select(0u, 1u, !(_e885)));
+                                            let _e906 = phi_3781_;
+                                            let _e908 = phi_3782_;
+                                            if (_e886 == 0u) {
+                                                phi_3803_ = (_e874 + select(0u, 1u, !(_e887)));
                                             } else {
-                                                if (_e884 == 7u) {
-                                                    phi_3529_ = 2147483648u;
+                                                if (_e886 == 7u) {
+                                                    phi_3802_ = 2147483648u;
                                                 } else {
-                                                    phi_3529_ = ((2147483648u | (_e884 << bitcast<u32>(28u))) | (select(_e904, _e873, _e906) & 268435455u));
+                                                    phi_3802_ = ((2147483648u | (_e886 << bitcast<u32>(28u))) | (select(_e906, _e875, _e908) & 268435455u));
                                                 }
-                                                let _e919 = phi_3529_;
-                                                phi_3530_ = _e919;
+                                                let _e921 = phi_3802_;
+                                                phi_3803_ = _e921;
                                             }
-                                            let _e921 = phi_3530_;
-                                            phi_3534_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e799, (_e623.member.member.x + _e751), _e804, (_e623.member.member_1.x - _e790)), vec4<f32>(_e800, (_e623.member.member.y + _e755), _e805, (_e623.member.member_1.y - _e794)), vec4<f32>(_e801, (_e623.member.member.z + _e759), _e806, (_e623.member.member_1.z - _e798))), type_57(type_37((_e623.member.member + vec4<f32>(_e729, _e738, _e747, 0f)), (_e623.member.member_1 - vec4<f32>(_e768, _e777, _e786, 0f))), _e896), type_57(type_37((_e623.member.member + vec4<f32>(_e751, _e755, _e759, 0f)), (_e623.member.member_1 - vec4<f32>(_e790, _e794, _e798, 0f))), _e921));
+                                            let _e923 = phi_3803_;
+                                            phi_3807_ = type_58(array<vec4<f32>, 3>(vec4<f32>(_e801, (_e625.member.member.x + _e753), _e806, (_e625.member.member_1.x - _e792)), vec4<f32>(_e802, (_e625.member.member.y + _e757), _e807, (_e625.member.member_1.y - _e796)), vec4<f32>(_e803, (_e625.member.member.z + _e761), _e808, (_e625.member.member_1.z - _e800))), type_57(type_37((_e625.member.member + vec4<f32>(_e731, _e740, _e749, 0f)), (_e625.member.member_1 - vec4<f32>(_e770, _e779, _e788, 0f))), _e898), type_57(type_37((_e625.member.member + vec4<f32>(_e753, _e757, _e761, 0f)), (_e625.member.member_1 - vec4<f32>(_e792, _e796, _e800, 0f))), _e923));
                                         }
-                                        let _e926 = phi_3534_;
-                                        let _e938 = ((_e926.member[0].x - _e417) * _e422);
-                                        let _e939 = ((_e926.member[0].y - _e417) * _e422);
-                                        let _e940 = ((_e926.member[0].z - _e418) * _e422);
-                                        let _e941 = ((_e926.member[0].w - _e418) * _e422);
-                                        let _e951 = ((_e926.member[1].x - _e453) * _e458);
-                                        let _e952 = ((_e926.member[1].y - _e453) * _e458);
-                                        let _e953 = ((_e926.member[1].z - _e454) * _e458);
-                                        let _e954 = ((_e926.member[1].w - _e454) * _e458);
-                                        let _e964 = ((_e926.member[2].x - _e489) * _e494);
-                                        let _e965 = ((_e926.member[2].y - _e489) * _e494);
-                                        let _e966 = ((_e926.member[2].z - _e490) * _e494);
-                                        let _e967 = ((_e926.member[2].w - _e490) * _e494);
-                                        let _e969 = select(_e966, _e964, (_e964 < _e966));
-                                        let _e971 = select(_e967, _e965, (_e965 < _e967));
-                                        let _e973 = select(_e966, _e964, (_e964 > _e966));
-                                        let _e975 = select(_e967, _e965, (_e965 > _e967));
-                                        let _e977 = select(_e940, _e938, (_e938 < _e940));
-                                        let _e979 = select(_e941, _e939, (_e939 < _e941));
-                                        let _e981 = select(_e953, _e951, (_e951 < _e953));
-                                        let _e983 = select(_e954, _e952, (_e952 < _e954));
-                                        let _e985 = select(_e981, _e977, (_e977 > _e981));
+                                        let _e928 = phi_3807_;
+                                        let _e940 = ((_e928.member[0].x - _e419) * _e424);
+                                        let _e941 = ((_e928.member[0].y - _e419) * _e424);
+                                        let _e942 = ((_e928.member[0].z - _e420) * _e424);
+                                        let _e943 = ((_e928.member[0].w - _e420) * _e424);
+                                        let _e953 = ((_e928.member[1].x - _e455) * _e460);
+                                        let _e954 = ((_e928.member[1].y - _e455) * _e460);
+                                        let _e955 = ((_e928.member[1].z - _e456) * _e460);
+                                        let _e956 = ((_e928.member[1].w - _e456) * _e460);
+                                        let _e966 = ((_e928.member[2].x - _e491) * _e496);
+                                        let _e967 = ((_e928.member[2].y - _e491) * _e496);
+                                        let _e968 = ((_e928.member[2].z - _e492) * _e496);
+                                        let _e969 = ((_e928.member[2].w - _e492) * _e496);
+                                        let _e971 = select(_e968, _e966, (_e966 < _e968));
+                                        let _e973 = select(_e969, _e967, (_e967 < _e969));
+                                        let _e975 = select(_e968, _e966, (_e966 > _e968));
+                                        let _e977 = select(_e969, _e967, (_e967 > _e969));
+                                        let _e979 = select(_e942, _e940, (_e940 < _e942));
+                                        let _e981 = select(_e943, _e941, (_e941 < _e943));
+                                        let _e983 = select(_e955, _e953, (_e953 < _e955));
+                                        let _e985 = select(_e956, _e954, (_e954 < _e956));
                                         let _e987 = select(_e983, _e979, (_e979 > _e983));
-                                        let _e989 = select(_e969, _e985, (_e985 > _e969));
+                                        let _e989 = select(_e985, _e981, (_e981 > _e985));
                                         let _e991 = select(_e971, _e987, (_e987 > _e971));
-                                        let _e993 = select(_e940, _e938, (_e938 > _e940));
-                                        let _e995 = select(_e941, _e939, (_e939 > _e941));
-                                        let _e997 = select(_e953, _e951, (_e951 > _e953));
-                                        let _e999 = select(_e954, _e952, (_e952 > _e954));
-                                        let _e1001 = select(_e997, _e993, (_e993 < _e997));
+                                        let _e993 = select(_e973, _e989, (_e989 > _e973));
+                                        let _e995 = select(_e942, _e940, (_e940 > _e942));
+                                        let _e997 = select(_e943, _e941, (_e941 > _e943));
+                                        let _e999 = select(_e955, _e953, (_e953 > _e955));
+                                        let _e1001 = select(_e956, _e954, (_e954 > _e956));
                                         let _e1003 = select(_e999, _e995, (_e995 < _e999));
-                                        let _e1008 = -(_e969);
-                                        let _e1009 = -(_e971);
-                                        let _e1016 = (select(_e973, _e1001, (_e1001 < _e973)) + (select(_e1008, _e973, (_e973 > _e1008)) * 0.0000019073523f));
-                                        let _e1017 = (select(_e975, _e1003, (_e1003 < _e975)) + (select(_e1009, _e975, (_e975 > _e1009)) * 0.0000019073523f));
-                                        let _e1019 = select(_e540, _e989, (_e989 > _e540));
-                                        let _e1021 = select(_e540, _e991, (_e991 > _e540));
-                                        let _e1026 = (_e1019 <= select(_e584.member_1, _e1016, (_e1016 < _e584.member_1)));
-                                        let _e1027 = (_e1021 <= select(_e584.member_1, _e1017, (_e1017 < _e584.member_1)));
-                                        let _e1028 = (_e1019 <= _e1021);
-                                        if _e1026 {
-                                            if _e1027 {
-                                                if _e1028 {
-                                                    phi_3878_ = _e926.member_2;
+                                        let _e1005 = select(_e1001, _e997, (_e997 < _e1001));
+                                        let _e1010 = -(_e971);
+                                        let _e1011 = -(_e973);
+                                        let _e1018 = (select(_e975, _e1003, (_e1003 < _e975)) + (select(_e1010, _e975, (_e975 > _e1010)) * 0.0000019073523f));
+                                        let _e1019 = (select(_e977, _e1005, (_e1005 < _e977)) + (select(_e1011, _e977, (_e977 > _e1011)) * 0.0000019073523f));
+                                        let _e1021 = select(_e542, _e991, (_e991 > _e542));
+                                        let _e1023 = select(_e542, _e993, (_e993 > _e542));
+                                        let _e1028 = (_e1021 <= select(_e586.member_1, _e1018, (_e1018 < _e586.member_1)));
+                                        let _e1029 = (_e1023 <= select(_e586.member_1, _e1019, (_e1019 < _e586.member_1)));
+                                        let _e1030 = (_e1021 <= _e1023);
+                                        if _e1028 {
+                                            if _e1029 {
+                                                if _e1030 {
+                                                    phi_4151_ = _e928.member_2;
                                                 } else {
-                                                    phi_3878_ = _e926.member_1;
+                                                    phi_4151_ = _e928.member_1;
                                                 }
-                                                let _e1032 = phi_3878_;
-                                                let _e1054 = (_e627 % 128u);
-                                                let _e1055 = (_e1054 < 128u);
-                                                if _e1055 {
+                                                let _e1034 = phi_4151_;
+                                                let _e1056 = (_e629 % 128u);
+                                                let _e1057 = (_e1056 < 128u);
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_8[_e1054] = _e1032.member_1;
-                                                if _e1055 {
+                                                local_8[_e1056] = _e1034.member_1;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_7[_e1054] = _e1032.member.member.x;
-                                                if _e1055 {
+                                                local_7[_e1056] = _e1034.member.member.x;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_6[_e1054] = _e1032.member.member.y;
-                                                if _e1055 {
+                                                local_6[_e1056] = _e1034.member.member.y;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_5[_e1054] = _e1032.member.member.z;
-                                                if _e1055 {
+                                                local_5[_e1056] = _e1034.member.member.z;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_4[_e1054] = _e1032.member.member_1.x;
-                                                if _e1055 {
+                                                local_4[_e1056] = _e1034.member.member_1.x;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_3[_e1054] = _e1032.member.member_1.y;
-                                                if _e1055 {
+                                                local_3[_e1056] = _e1034.member.member_1.y;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_2[_e1054] = _e1032.member.member_1.z;
-                                                if _e1055 {
+                                                local_2[_e1056] = _e1034.member.member_1.z;
+                                                if _e1057 {
                                                 } else {
-                                                    phi_4502_ = true;
+                                                    phi_4803_ = true;
                                                     break;
                                                 }
-                                                local_9[_e1054] = select(_e1021, _e1019, (_e1019 > _e1021));
-                                                if _e1028 {
-                                                    phi_3955_ = _e926.member_1;
+                                                local_9[_e1056] = select(_e1023, _e1021, (_e1021 > _e1023));
+                                                if _e1030 {
+                                                    phi_4228_ = _e928.member_1;
                                                 } else {
-                                                    phi_3955_ = _e926.member_2;
+                                                    phi_4228_ = _e928.member_2;
                                                 }
-                                                let _e1068 = phi_3955_;
-                                                phi_3956_ = _e1068;
-                                                phi_3957_ = (_e627 + 1u);
+                                                let _e1070 = phi_4228_;
+                                                phi_4229_ = _e1070;
+                                                phi_4230_ = (_e629 + 1u);
                                             } else {
-                                                phi_3956_ = type_57();
-                                                phi_3957_ = u32();
+                                                phi_4229_ = type_57();
+                                                phi_4230_ = u32();
                                             }
-                                            let _e1070 = phi_3956_;
-                                            let _e1072 = phi_3957_;
-                                            phi_3959_ = _e1070;
-                                            phi_3960_ = _e1072;
-                                            phi_3961_ = select(true, false, _e1027);
+                                            let _e1072 = phi_4229_;
+                                            let _e1074 = phi_4230_;
+                                            phi_4232_ = _e1072;
+                                            phi_4233_ = _e1074;
+                                            phi_4234_ = select(true, false, _e1029);
                                         } else {
-                                            phi_3959_ = type_57();
-                                            phi_3960_ = u32();
-                                            phi_3961_ = true;
+                                            phi_4232_ = type_57();
+                                            phi_4233_ = u32();
+                                            phi_4234_ = true;
                                         }
-                                        let _e1075 = phi_3959_;
-                                        let _e1077 = phi_3960_;
-                                        let _e1079 = phi_3961_;
-                                        if _e1079 {
-                                            if _e1026 {
-                                                phi_3970_ = _e926.member_1;
+                                        let _e1077 = phi_4232_;
+                                        let _e1079 = phi_4233_;
+                                        let _e1081 = phi_4234_;
+                                        if _e1081 {
+                                            if _e1028 {
+                                                phi_4243_ = _e928.member_1;
                                             } else {
-                                                phi_3970_ = _e926.member_2;
+                                                phi_4243_ = _e928.member_2;
                                             }
-                                            let _e1083 = phi_3970_;
-                                            phi_3975_ = _e1083;
-                                            phi_3976_ = select(_e1027, true, _e1026);
+                                            let _e1085 = phi_4243_;
+                                            phi_4248_ = _e1085;
+                                            phi_4249_ = select(_e1029, true, _e1028);
                                         } else {
-                                            phi_3975_ = _e1075;
-                                            phi_3976_ = _e625;
+                                            phi_4248_ = _e1077;
+                                            phi_4249_ = _e627;
                                         }
-                                        let _e1086 = phi_3975_;
-                                        let _e1088 = phi_3976_;
-                                        phi_4506_ = _e582;
-                                        phi_3978_ = _e584;
-                                        phi_3979_ = _e1086;
-                                        phi_3980_ = _e1088;
-                                        phi_3981_ = select(_e1077, _e627, _e1079);
+                                        let _e1088 = phi_4248_;
+                                        let _e1090 = phi_4249_;
+                                        phi_4807_ = _e584;
+                                        phi_4251_ = _e586;
+                                        phi_4252_ = _e1088;
+                                        phi_4253_ = _e1090;
+                                        phi_4254_ = select(_e1079, _e629, _e1081);
                                     }
-                                    let _e2057 = phi_4506_;
-                                    let _e2059 = phi_3978_;
-                                    let _e2061 = phi_3979_;
-                                    let _e2063 = phi_3980_;
-                                    let _e2065 = phi_3981_;
-                                    phi_4505_ = _e2057;
-                                    phi_3982_ = _e2059;
-                                    phi_3983_ = _e2061;
-                                    phi_3984_ = (_e588 - 1u);
-                                    phi_3985_ = _e2063;
-                                    phi_3986_ = _e2065;
+                                    let _e2239 = phi_4807_;
+                                    let _e2241 = phi_4251_;
+                                    let _e2243 = phi_4252_;
+                                    let _e2245 = phi_4253_;
+                                    let _e2247 = phi_4254_;
+                                    phi_4806_ = _e2239;
+                                    phi_4255_ = _e2241;
+                                    phi_4256_ = _e2243;
+                                    phi_4257_ = (_e590 - 1u);
+                                    phi_4258_ = _e2245;
+                                    phi_4259_ = _e2247;
                                 } else {
-                                    phi_4505_ = _e582;
-                                    phi_3982_ = _e584;
-                                    phi_3983_ = _e623;
-                                    phi_3984_ = _e588;
-                                    phi_3985_ = _e625;
-                                    phi_3986_ = _e627;
+                                    phi_4806_ = _e584;
+                                    phi_4255_ = _e586;
+                                    phi_4256_ = _e625;
+                                    phi_4257_ = _e590;
+                                    phi_4258_ = _e627;
+                                    phi_4259_ = _e629;
                                 }
-                                let _e2067 = phi_4505_;
-                                let _e2069 = phi_3982_;
-                                let _e2071 = phi_3983_;
-                                let _e2073 = phi_3984_;
-                                let _e2075 = phi_3985_;
-                                let _e2077 = phi_3986_;
-                                phi_4504_ = _e2067;
-                                phi_3987_ = _e2069;
-                                phi_3988_ = _e2071;
-                                phi_3989_ = _e2073;
-                                phi_3990_ = _e2075;
-                                phi_3991_ = _e2077;
+                                let _e2249 = phi_4806_;
+                                let _e2251 = phi_4255_;
+                                let _e2253 = phi_4256_;
+                                let _e2255 = phi_4257_;
+                                let _e2257 = phi_4258_;
+                                let _e2259 = phi_4259_;
+                                phi_4805_ = _e2249;
+                                phi_4260_ = _e2251;
+                                phi_4261_ = _e2253;
+                                phi_4262_ = _e2255;
+                                phi_4263_ = _e2257;
+                                phi_4264_ = _e2259;
                             } else {
-                                phi_4504_ = _e582;
-                                phi_3987_ = type_42();
-                                phi_3988_ = type_57();
-                                phi_3989_ = u32();
-                                phi_3990_ = bool();
-                                phi_3991_ = u32();
+                                phi_4805_ = _e584;
+                                phi_4260_ = type_42();
+                                phi_4261_ = type_57();
+                                phi_4262_ = u32();
+                                phi_4263_ = bool();
+                                phi_4264_ = u32();
                             }
-                            let _e2079 = phi_4504_;
-                            let _e2081 = phi_3987_;
-                            let _e2083 = phi_3988_;
-                            let _e2085 = phi_3989_;
-                            let _e2087 = phi_3990_;
-                            let _e2089 = phi_3991_;
-                            phi_4503_ = _e2079;
-                            phi_960_ = _e2081;
-                            phi_963_ = _e2083;
-                            phi_965_ = _e2085;
-                            phi_967_ = _e2087;
-                            phi_969_ = _e2089;
-                            phi_3992_ = _e596;
+                            let _e2261 = phi_4805_;
+                            let _e2263 = phi_4260_;
+                            let _e2265 = phi_4261_;
+                            let _e2267 = phi_4262_;
+                            let _e2269 = phi_4263_;
+                            let _e2271 = phi_4264_;
+                            phi_4804_ = _e2261;
+                            phi_966_ = _e2263;
+                            phi_969_ = _e2265;
+                            phi_971_ = _e2267;
+                            phi_973_ = _e2269;
+                            phi_975_ = _e2271;
+                            phi_4265_ = _e598;
                         } else {
-                            phi_4503_ = _e582;
-                            phi_960_ = type_42();
-                            phi_963_ = type_57();
-                            phi_965_ = u32();
-                            phi_967_ = bool();
-                            phi_969_ = u32();
-                            phi_3992_ = false;
+                            phi_4804_ = _e584;
+                            phi_966_ = type_42();
+                            phi_969_ = type_57();
+                            phi_971_ = u32();
+                            phi_973_ = bool();
+                            phi_975_ = u32();
+                            phi_4265_ = false;
                         }
-                        let _e2091 = phi_4503_;
-                        let _e2093 = phi_960_;
-                        let _e2095 = phi_963_;
-                        let _e2097 = phi_965_;
-                        let _e2099 = phi_967_;
-                        let _e2101 = phi_969_;
-                        let _e2103 = phi_3992_;
+                        let _e2273 = phi_4804_;
+                        let _e2275 = phi_966_;
+                        let _e2277 = phi_969_;
+                        let _e2279 = phi_971_;
+                        let _e2281 = phi_973_;
+                        let _e2283 = phi_975_;
+                        let _e2285 = phi_4265_;
                         continue;
                         continuing {
-                            phi_4323_ = _e2091;
-                            phi_959_ = _e2093;
-                            phi_962_ = _e2095;
-                            phi_964_ = _e2097;
-                            phi_966_ = _e2099;
-                            phi_968_ = _e2101;
-                            phi_4502_ = _e2091;
-                            break if !(_e2103);
+                            phi_4596_ = _e2273;
+                            phi_965_ = _e2275;
+                            phi_968_ = _e2277;
+                            phi_970_ = _e2279;
+                            phi_972_ = _e2281;
+                            phi_974_ = _e2283;
+                            phi_4803_ = _e2273;
+                            break if !(_e2285);
                         }
                     }
-                    let _e2106 = phi_4502_;
-                    if _e2106 {
+                    let _e2288 = phi_4803_;
+                    if _e2288 {
                         break;
                     }
-                    let _e2108 = local_10;
-                    if (_e2108.member.member_3 != 4294967295u) {
-                        let _e2113 = (_e364 / 3i);
-                        let _e2120 = bitcast<f32>((bitcast<u32>((_e2113 + 127i)) << bitcast<u32>(23i)));
-                        let _e2128 = (((_e2108.member.member * _e2120) * _e2120) * bitcast<f32>((bitcast<u32>(((_e364 - (2i * _e2113)) + 127i)) << bitcast<u32>(23i))));
-                        let _e2130 = select(340282350000000000000000000000000000000f, _e2128, (_e2128 < 340282350000000000000000000000000000000f));
-                        phi_4044_ = type_25(select(-340282350000000000000000000000000000000f, _e2130, (_e2130 > -340282350000000000000000000000000000000f)), _e2108.member.member_1, _e2108.member.member_2, _e2108.member.member_3);
+                    let _e2290 = local_10;
+                    if (_e2290.member.member_3 != 4294967295u) {
+                        let _e2295 = (_e366 / 3i);
+                        let _e2302 = bitcast<f32>((bitcast<u32>((_e2295 + 127i)) << bitcast<u32>(23i)));
+                        let _e2310 = (((_e2290.member.member * _e2302) * _e2302) * bitcast<f32>((bitcast<u32>(((_e366 - (2i * _e2295)) + 127i)) << bitcast<u32>(23i))));
+                        let _e2312 = select(340282350000000000000000000000000000000f, _e2310, (_e2310 < 340282350000000000000000000000000000000f));
+                        phi_4317_ = type_25(select(-340282350000000000000000000000000000000f, _e2312, (_e2312 > -340282350000000000000000000000000000000f)), _e2290.member.member_1, _e2290.member.member_2, _e2290.member.member_3);
                     } else {
-                        phi_4044_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                        phi_4317_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                     }
-                    let _e2137 = phi_4044_;
-                    if _e241 {
-                    } else {
-                        break;
-                    }
-                    global_8.member[_e147] = _e2137;
-                    if _e162 {
+                    let _e2319 = phi_4317_;
+                    if _e243 {
                     } else {
                         break;
                     }
-                    let _e2141 = select(0u, 1u, (_e308 <= _e318));
-                    if (_e2141 > 0u) {
-                        let _e2143 = (1u < _e115);
-                        if _e2143 {
-                            if (0u < _e115) {
+                    global_8.member[_e149] = _e2319;
+                    if _e164 {
+                    } else {
+                        break;
+                    }
+                    let _e2323 = select(0u, 1u, (_e310 <= _e320));
+                    if (_e2323 > 0u) {
+                        let _e2325 = (1u < _e117);
+                        if _e2325 {
+                            if (0u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e2147 = atomicAdd((&global_9.member[0u]), _e2141);
-                            if ((_e2147 + _e2141) < _e2147) {
-                                if _e2143 {
+                            let _e2329 = atomicAdd((&global_9.member[0u]), _e2323);
+                            if ((_e2329 + _e2323) < _e2329) {
+                                if _e2325 {
                                 } else {
                                     break;
                                 }
-                                let _e2152 = atomicAdd((&global_9.member[1u]), 1u);
+                                let _e2334 = atomicAdd((&global_9.member[1u]), 1u);
                             }
                         }
                     }
-                    let _e2155 = select(0u, 1u, (_e2137.member_3 != 4294967295u));
-                    if (_e2155 > 0u) {
-                        let _e2157 = (3u < _e115);
-                        if _e2157 {
-                            if (2u < _e115) {
+                    let _e2337 = select(0u, 1u, (_e2319.member_3 != 4294967295u));
+                    if (_e2337 > 0u) {
+                        let _e2339 = (3u < _e117);
+                        if _e2339 {
+                            if (2u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e2161 = atomicAdd((&global_9.member[2u]), _e2155);
-                            if ((_e2161 + _e2155) < _e2161) {
-                                if _e2157 {
+                            let _e2343 = atomicAdd((&global_9.member[2u]), _e2337);
+                            if ((_e2343 + _e2337) < _e2343) {
+                                if _e2339 {
                                 } else {
                                     break;
                                 }
-                                let _e2166 = atomicAdd((&global_9.member[3u]), 1u);
+                                let _e2348 = atomicAdd((&global_9.member[3u]), 1u);
                             }
                         }
                     }

@@ -94,992 +94,1117 @@ var<storage, read_write> global_5: type_26;
 fn function_() {
     var local: array<f32, 128>;
     var local_1: array<u32, 128>;
-    var phi_179_: u32;
-    var phi_328_: i32;
-    var phi_329_: i32;
-    var phi_339_: bool;
-    var phi_349_: u32;
-    var phi_350_: u32;
-    var phi_352_: bool;
-    var phi_357_: u32;
-    var phi_389_: i32;
-    var phi_407_: f32;
-    var phi_413_: f32;
-    var phi_424_: f32;
-    var phi_430_: f32;
-    var phi_453_: f32;
-    var phi_464_: f32;
-    var phi_473_: f32;
-    var phi_479_: f32;
-    var phi_490_: f32;
-    var phi_496_: f32;
-    var phi_519_: f32;
-    var phi_530_: f32;
-    var phi_539_: f32;
-    var phi_545_: f32;
-    var phi_556_: f32;
-    var phi_562_: f32;
-    var phi_585_: f32;
-    var phi_596_: f32;
-    var phi_696_: f32;
-    var phi_697_: f32;
-    var phi_2044_: bool;
-    var phi_708_: type_48;
-    var phi_711_: u32;
-    var phi_713_: u32;
-    var phi_715_: bool;
-    var phi_717_: u32;
-    var phi_728_: bool;
-    var phi_760_: u32;
-    var phi_761_: bool;
-    var phi_762_: u32;
-    var phi_1562_: type_47;
-    var phi_1906_: u32;
-    var phi_1934_: u32;
-    var phi_1935_: u32;
-    var phi_1936_: u32;
-    var phi_1938_: u32;
-    var phi_1939_: u32;
-    var phi_1940_: bool;
-    var phi_1949_: u32;
-    var phi_1954_: u32;
-    var phi_1955_: bool;
-    var phi_777_: type_48;
-    var phi_780_: type_7;
-    var phi_781_: type_7;
-    var phi_803_: type_7;
-    var phi_824_: u32;
-    var phi_913_: array<array<f32, 3>, 3>;
-    var phi_1384_: vec3<f32>;
-    var phi_1385_: vec3<f32>;
-    var phi_1416_: bool;
-    var phi_1425_: vec3<f32>;
-    var phi_1465_: type_22;
-    var phi_1467_: type_22;
-    var phi_1468_: bool;
-    var phi_1472_: type_22;
-    var phi_1473_: type_22;
-    var phi_1474_: type_22;
-    var phi_1475_: bool;
-    var phi_1479_: type_22;
-    var phi_1480_: bool;
-    var phi_1484_: type_22;
-    var phi_1485_: bool;
-    var phi_1489_: type_22;
-    var phi_1500_: type_48;
-    var phi_1501_: type_48;
-    var phi_778_: type_48;
-    var phi_2038_: bool;
-    var local_2: type_48;
-    var phi_2157_: bool;
-    var phi_1957_: type_48;
-    var phi_1958_: u32;
-    var phi_1959_: bool;
-    var phi_1960_: u32;
-    var phi_2156_: bool;
-    var phi_1961_: type_48;
-    var phi_1962_: u32;
-    var phi_1963_: u32;
-    var phi_1964_: bool;
-    var phi_1965_: u32;
-    var phi_2155_: bool;
-    var phi_1966_: type_48;
-    var phi_1967_: u32;
-    var phi_1968_: u32;
-    var phi_1969_: bool;
-    var phi_1970_: u32;
-    var phi_2154_: bool;
-    var phi_709_: type_48;
-    var phi_712_: u32;
-    var phi_714_: u32;
-    var phi_716_: bool;
+    var phi_184_: u32;
+    var phi_333_: i32;
+    var phi_334_: i32;
+    var phi_344_: bool;
+    var phi_354_: u32;
+    var phi_355_: u32;
+    var phi_357_: bool;
+    var phi_362_: u32;
+    var phi_394_: i32;
+    var phi_412_: f32;
+    var phi_418_: f32;
+    var phi_429_: f32;
+    var phi_435_: f32;
+    var phi_458_: f32;
+    var phi_469_: f32;
+    var phi_478_: f32;
+    var phi_484_: f32;
+    var phi_495_: f32;
+    var phi_501_: f32;
+    var phi_524_: f32;
+    var phi_535_: f32;
+    var phi_544_: f32;
+    var phi_550_: f32;
+    var phi_561_: f32;
+    var phi_567_: f32;
+    var phi_590_: f32;
+    var phi_601_: f32;
+    var phi_701_: f32;
+    var phi_702_: f32;
+    var phi_2316_: bool;
+    var phi_713_: type_48;
+    var phi_716_: u32;
     var phi_718_: u32;
-    var phi_1971_: bool;
-    var phi_2153_: bool;
+    var phi_720_: bool;
+    var phi_722_: u32;
+    var phi_733_: bool;
+    var phi_765_: u32;
+    var phi_766_: bool;
+    var phi_767_: u32;
+    var phi_1834_: type_47;
+    var phi_2178_: u32;
+    var phi_2206_: u32;
+    var phi_2207_: u32;
+    var phi_2208_: u32;
+    var phi_2210_: u32;
+    var phi_2211_: u32;
+    var phi_2212_: bool;
+    var phi_2221_: u32;
+    var phi_2226_: u32;
+    var phi_2227_: bool;
+    var phi_782_: type_48;
+    var phi_785_: type_7;
+    var phi_786_: type_7;
+    var phi_808_: type_7;
+    var phi_829_: u32;
+    var phi_918_: array<array<f32, 3>, 3>;
+    var phi_1035_: bool;
+    var phi_1064_: bool;
+    var phi_1465_: f32;
+    var phi_1466_: f32;
+    var phi_1467_: f32;
+    var phi_1468_: f32;
+    var phi_1469_: vec3<f32>;
+    var phi_1470_: vec3<f32>;
+    var phi_1471_: vec3<f32>;
+    var phi_1472_: vec3<f32>;
+    var phi_1503_: bool;
+    var phi_1512_: vec3<f32>;
+    var phi_1679_: bool;
+    var phi_1703_: f32;
+    var phi_1704_: f32;
+    var phi_1727_: type_22;
+    var phi_1729_: type_22;
+    var phi_1730_: bool;
+    var phi_1734_: type_22;
+    var phi_1735_: type_22;
+    var phi_1736_: type_22;
+    var phi_1737_: bool;
+    var phi_1741_: type_22;
+    var phi_1742_: bool;
+    var phi_1743_: type_22;
+    var phi_1744_: bool;
+    var phi_1745_: bool;
+    var phi_1746_: type_22;
+    var phi_1747_: bool;
+    var phi_1748_: bool;
+    var phi_1756_: type_22;
+    var phi_1757_: bool;
+    var phi_1761_: type_22;
+    var phi_1772_: type_48;
+    var phi_1773_: type_48;
+    var phi_783_: type_48;
+    var phi_2310_: bool;
+    var local_2: type_48;
+    var phi_2457_: bool;
+    var phi_2229_: type_48;
+    var phi_2230_: u32;
+    var phi_2231_: bool;
+    var phi_2232_: u32;
+    var phi_2456_: bool;
+    var phi_2233_: type_48;
+    var phi_2234_: u32;
+    var phi_2235_: u32;
+    var phi_2236_: bool;
+    var phi_2237_: u32;
+    var phi_2455_: bool;
+    var phi_2238_: type_48;
+    var phi_2239_: u32;
+    var phi_2240_: u32;
+    var phi_2241_: bool;
+    var phi_2242_: u32;
+    var phi_2454_: bool;
+    var phi_714_: type_48;
+    var phi_717_: u32;
+    var phi_719_: u32;
+    var phi_721_: bool;
+    var phi_723_: u32;
+    var phi_2243_: bool;
+    var phi_2453_: bool;
     var local_3: type_48;
     var local_4: type_48;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e63 = global;
-            let _e65 = arrayLength((&global_2.member));
-            let _e67 = arrayLength((&global_1.member));
-            let _e73 = arrayLength((&global_3.member));
-            let _e77 = (_e63.x + (_e63.y * 2097152u));
-            let _e78 = (_e77 < arrayLength((&global_4.member)));
-            if _e78 {
-                if _e78 {
+            let _e65 = global;
+            let _e67 = arrayLength((&global_2.member));
+            let _e69 = arrayLength((&global_1.member));
+            let _e75 = arrayLength((&global_3.member));
+            let _e79 = (_e65.x + (_e65.y * 2097152u));
+            let _e80 = (_e79 < arrayLength((&global_4.member)));
+            if _e80 {
+                if _e80 {
                 } else {
                     break;
                 }
-                let _e82 = global_4.member[_e77].member_2;
-                phi_179_ = _e82;
+                let _e84 = global_4.member[_e79].member_2;
+                phi_184_ = _e84;
             } else {
-                phi_179_ = 4294967295u;
+                phi_184_ = 4294967295u;
             }
-            let _e84 = phi_179_;
-            if _e78 {
-                let _e85 = (_e77 < arrayLength((&global_5.member)));
-                if _e85 {
-                    if _e78 {
+            let _e86 = phi_184_;
+            if _e80 {
+                let _e87 = (_e79 < arrayLength((&global_5.member)));
+                if _e87 {
+                    if _e80 {
                     } else {
                         break;
                     }
-                    let _e90 = global_4.member[_e77].member.member_1;
-                    let _e95 = global_4.member[_e77].member.member_3;
-                    if (_e90 <= _e95) {
-                        let _e97 = (1u < _e73);
-                        if _e97 {
-                            if (0u < _e73) {
+                    let _e92 = global_4.member[_e79].member.member_1;
+                    let _e97 = global_4.member[_e79].member.member_3;
+                    if (_e92 <= _e97) {
+                        let _e99 = (1u < _e75);
+                        if _e99 {
+                            if (0u < _e75) {
                             } else {
                                 break;
                             }
-                            let _e101 = atomicAdd((&global_3.member[0u]), 1u);
-                            if ((_e101 + 1u) < _e101) {
-                                if _e97 {
+                            let _e103 = atomicAdd((&global_3.member[0u]), 1u);
+                            if ((_e103 + 1u) < _e103) {
+                                if _e99 {
                                 } else {
                                     break;
                                 }
-                                let _e106 = atomicAdd((&global_3.member[1u]), 1u);
+                                let _e108 = atomicAdd((&global_3.member[1u]), 1u);
                             }
                         }
-                        if _e78 {
+                        if _e80 {
                         } else {
                             break;
                         }
-                        let _e116 = global_4.member[_e77].member.member_2[0u];
-                        let _e118 = (bitcast<u32>(_e116) & 2147483647u);
-                        let _e124 = global_4.member[_e77].member.member_2[1u];
-                        let _e126 = (bitcast<u32>(_e124) & 2147483647u);
-                        let _e132 = global_4.member[_e77].member.member_2[2u];
-                        let _e134 = (bitcast<u32>(_e132) & 2147483647u);
-                        let _e140 = global_4.member[_e77].member.member[0u];
-                        let _e142 = (bitcast<u32>(_e140) & 2147483647u);
-                        let _e148 = global_4.member[_e77].member.member[1u];
-                        let _e150 = (bitcast<u32>(_e148) & 2147483647u);
-                        let _e156 = global_4.member[_e77].member.member[2u];
-                        let _e158 = (bitcast<u32>(_e156) & 2147483647u);
-                        let _e160 = select(_e126, _e118, (_e126 < _e118));
-                        let _e162 = select(_e134, _e160, (_e134 < _e160));
-                        let _e164 = select(_e142, _e162, (_e142 < _e162));
-                        let _e166 = select(_e150, _e164, (_e150 < _e164));
-                        let _e168 = select(_e158, _e166, (_e158 < _e166));
-                        let _e170 = (bitcast<u32>(_e90) & 2147483647u);
-                        let _e179 = (((select(_e170, _e168, (_e170 < _e168)) < 2139095040u) && ((bitcast<u32>(_e95) & 2147483647u) <= 2139095040u)) && (_e162 > 0u));
-                        if _e179 {
-                            let _e182 = (bitcast<u32>(bitcast<f32>(_e162)) & 2147483647u);
-                            if (_e182 >= 8388608u) {
-                                phi_328_ = (bitcast<i32>((_e182 >> bitcast<u32>(23i))) - 127i);
+                        let _e118 = global_4.member[_e79].member.member_2[0u];
+                        let _e120 = (bitcast<u32>(_e118) & 2147483647u);
+                        let _e126 = global_4.member[_e79].member.member_2[1u];
+                        let _e128 = (bitcast<u32>(_e126) & 2147483647u);
+                        let _e134 = global_4.member[_e79].member.member_2[2u];
+                        let _e136 = (bitcast<u32>(_e134) & 2147483647u);
+                        let _e142 = global_4.member[_e79].member.member[0u];
+                        let _e144 = (bitcast<u32>(_e142) & 2147483647u);
+                        let _e150 = global_4.member[_e79].member.member[1u];
+                        let _e152 = (bitcast<u32>(_e150) & 2147483647u);
+                        let _e158 = global_4.member[_e79].member.member[2u];
+                        let _e160 = (bitcast<u32>(_e158) & 2147483647u);
+                        let _e162 = select(_e128, _e120, (_e128 < _e120));
+                        let _e164 = select(_e136, _e162, (_e136 < _e162));
+                        let _e166 = select(_e144, _e164, (_e144 < _e164));
+                        let _e168 = select(_e152, _e166, (_e152 < _e166));
+                        let _e170 = select(_e160, _e168, (_e160 < _e168));
+                        let _e172 = (bitcast<u32>(_e92) & 2147483647u);
+                        let _e181 = (((select(_e172, _e170, (_e172 < _e170)) < 2139095040u) && ((bitcast<u32>(_e97) & 2147483647u) <= 2139095040u)) && (_e164 > 0u));
+                        if _e181 {
+                            let _e184 = (bitcast<u32>(bitcast<f32>(_e164)) & 2147483647u);
+                            if (_e184 >= 8388608u) {
+                                phi_333_ = (bitcast<i32>((_e184 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_328_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e182)), 32u, (_e182 == 0u))));
+                                phi_333_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e184)), 32u, (_e184 == 0u))));
                             }
-                            let _e196 = phi_328_;
-                            phi_329_ = _e196;
+                            let _e198 = phi_333_;
+                            phi_334_ = _e198;
                         } else {
-                            phi_329_ = 0i;
+                            phi_334_ = 0i;
                         }
-                        let _e198 = phi_329_;
-                        let _e199 = (_e118 == _e162);
-                        if _e199 {
-                            phi_339_ = true;
+                        let _e200 = phi_334_;
+                        let _e201 = (_e120 == _e164);
+                        if _e201 {
+                            phi_344_ = true;
                         } else {
-                            phi_339_ = (_e126 == _e162);
+                            phi_344_ = (_e128 == _e164);
                         }
-                        let _e202 = phi_339_;
-                        let _e203 = select(1u, 0u, _e199);
-                        if _e202 {
-                            let _e204 = (_e203 + 1u);
-                            phi_349_ = _e204;
-                            phi_350_ = _e204;
-                            phi_352_ = select(true, false, (_e204 == 2u));
+                        let _e204 = phi_344_;
+                        let _e205 = select(1u, 0u, _e201);
+                        if _e204 {
+                            let _e206 = (_e205 + 1u);
+                            phi_354_ = _e206;
+                            phi_355_ = _e206;
+                            phi_357_ = select(true, false, (_e206 == 2u));
                         } else {
-                            phi_349_ = u32();
-                            phi_350_ = 0u;
-                            phi_352_ = true;
+                            phi_354_ = u32();
+                            phi_355_ = 0u;
+                            phi_357_ = true;
                         }
-                        let _e208 = phi_349_;
-                        let _e210 = phi_350_;
-                        let _e212 = phi_352_;
-                        if _e212 {
-                            phi_357_ = (_e210 + 1u);
+                        let _e210 = phi_354_;
+                        let _e212 = phi_355_;
+                        let _e214 = phi_357_;
+                        if _e214 {
+                            phi_362_ = (_e212 + 1u);
                         } else {
-                            phi_357_ = 0u;
+                            phi_362_ = 0u;
                         }
-                        let _e216 = phi_357_;
-                        let _e217 = select(_e208, _e210, _e212);
-                        let _e218 = select(_e203, select(2u, _e203, _e202), _e212);
-                        let _e219 = -(_e198);
-                        if (_e219 < -126i) {
-                            phi_389_ = -126i;
+                        let _e218 = phi_362_;
+                        let _e219 = select(_e210, _e212, _e214);
+                        let _e220 = select(_e205, select(2u, _e205, _e204), _e214);
+                        let _e221 = -(_e200);
+                        if (_e221 < -126i) {
+                            phi_394_ = -126i;
                         } else {
-                            phi_389_ = select(_e219, 127i, (_e219 > 127i));
+                            phi_394_ = select(_e221, 127i, (_e221 > 127i));
                         }
-                        let _e224 = phi_389_;
-                        let _e229 = bitcast<f32>((bitcast<u32>((_e224 + 127i)) << bitcast<u32>(23i)));
-                        let _e235 = bitcast<f32>((bitcast<u32>(((_e219 - _e224) + 127i)) << bitcast<u32>(23i)));
-                        let _e240 = global_4.member[_e77].member.member;
-                        let _e241 = (_e217 == 0u);
-                        if _e241 {
-                            phi_407_ = _e240[0];
+                        let _e226 = phi_394_;
+                        let _e231 = bitcast<f32>((bitcast<u32>((_e226 + 127i)) << bitcast<u32>(23i)));
+                        let _e237 = bitcast<f32>((bitcast<u32>(((_e221 - _e226) + 127i)) << bitcast<u32>(23i)));
+                        let _e242 = global_4.member[_e79].member.member;
+                        let _e243 = (_e219 == 0u);
+                        if _e243 {
+                            phi_412_ = _e242[0];
                         } else {
-                            phi_407_ = _e240[1];
+                            phi_412_ = _e242[1];
                         }
-                        let _e245 = phi_407_;
-                        let _e246 = (_e217 == 2u);
-                        if _e246 {
-                            phi_413_ = _e240[2];
+                        let _e247 = phi_412_;
+                        let _e248 = (_e219 == 2u);
+                        if _e248 {
+                            phi_418_ = _e242[2];
                         } else {
-                            phi_413_ = _e245;
+                            phi_418_ = _e247;
                         }
-                        let _e249 = phi_413_;
-                        let _e250 = global_4.member[_e77].member.member_2;
-                        if _e241 {
-                            phi_424_ = _e250[0];
+                        let _e251 = phi_418_;
+                        let _e252 = global_4.member[_e79].member.member_2;
+                        if _e243 {
+                            phi_429_ = _e252[0];
                         } else {
-                            phi_424_ = _e250[1];
+                            phi_429_ = _e252[1];
                         }
-                        let _e254 = phi_424_;
-                        if _e246 {
-                            phi_430_ = _e250[2];
+                        let _e256 = phi_429_;
+                        if _e248 {
+                            phi_435_ = _e252[2];
                         } else {
-                            phi_430_ = _e254;
+                            phi_435_ = _e256;
                         }
-                        let _e257 = phi_430_;
-                        let _e259 = ((_e257 * _e229) * _e235);
-                        let _e263 = (bitcast<f32>((bitcast<u32>(_e259) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e263 {
-                            let _e267 = (bitcast<f32>((bitcast<u32>(_e249) & 2147483647u)) * 0.00000011920929f);
-                            phi_453_ = select(0.00000000000011368684f, _e267, (_e267 > 0.00000000000011368684f));
+                        let _e259 = phi_435_;
+                        let _e261 = ((_e259 * _e231) * _e237);
+                        let _e265 = (bitcast<f32>((bitcast<u32>(_e261) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e265 {
+                            let _e269 = (bitcast<f32>((bitcast<u32>(_e251) & 2147483647u)) * 0.00000011920929f);
+                            phi_458_ = select(0.00000000000011368684f, _e269, (_e269 > 0.00000000000011368684f));
                         } else {
-                            phi_453_ = 0f;
+                            phi_458_ = 0f;
                         }
-                        let _e271 = phi_453_;
-                        let _e272 = (_e249 + _e271);
-                        let _e273 = (_e249 - _e271);
-                        let _e274 = select(_e259, 0f, _e263);
-                        if _e263 {
-                            phi_464_ = 38685626000000000000000000f;
+                        let _e273 = phi_458_;
+                        let _e274 = (_e251 + _e273);
+                        let _e275 = (_e251 - _e273);
+                        let _e276 = select(_e261, 0f, _e265);
+                        if _e265 {
+                            phi_469_ = 38685626000000000000000000f;
                         } else {
-                            phi_464_ = (1f / _e259);
+                            phi_469_ = (1f / _e261);
                         }
-                        let _e277 = phi_464_;
-                        let _e278 = (_e216 == 0u);
-                        if _e278 {
-                            phi_473_ = _e240[0];
+                        let _e279 = phi_469_;
+                        let _e280 = (_e218 == 0u);
+                        if _e280 {
+                            phi_478_ = _e242[0];
                         } else {
-                            phi_473_ = _e240[1];
+                            phi_478_ = _e242[1];
                         }
-                        let _e282 = phi_473_;
-                        let _e283 = (_e216 == 2u);
-                        if _e283 {
-                            phi_479_ = _e240[2];
+                        let _e284 = phi_478_;
+                        let _e285 = (_e218 == 2u);
+                        if _e285 {
+                            phi_484_ = _e242[2];
                         } else {
-                            phi_479_ = _e282;
+                            phi_484_ = _e284;
                         }
-                        let _e286 = phi_479_;
-                        if _e278 {
-                            phi_490_ = _e250[0];
+                        let _e288 = phi_484_;
+                        if _e280 {
+                            phi_495_ = _e252[0];
                         } else {
-                            phi_490_ = _e250[1];
+                            phi_495_ = _e252[1];
                         }
-                        let _e290 = phi_490_;
-                        if _e283 {
-                            phi_496_ = _e250[2];
+                        let _e292 = phi_495_;
+                        if _e285 {
+                            phi_501_ = _e252[2];
                         } else {
-                            phi_496_ = _e290;
+                            phi_501_ = _e292;
                         }
-                        let _e293 = phi_496_;
-                        let _e295 = ((_e293 * _e229) * _e235);
-                        let _e299 = (bitcast<f32>((bitcast<u32>(_e295) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e299 {
-                            let _e303 = (bitcast<f32>((bitcast<u32>(_e286) & 2147483647u)) * 0.00000011920929f);
-                            phi_519_ = select(0.00000000000011368684f, _e303, (_e303 > 0.00000000000011368684f));
+                        let _e295 = phi_501_;
+                        let _e297 = ((_e295 * _e231) * _e237);
+                        let _e301 = (bitcast<f32>((bitcast<u32>(_e297) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e301 {
+                            let _e305 = (bitcast<f32>((bitcast<u32>(_e288) & 2147483647u)) * 0.00000011920929f);
+                            phi_524_ = select(0.00000000000011368684f, _e305, (_e305 > 0.00000000000011368684f));
                         } else {
-                            phi_519_ = 0f;
+                            phi_524_ = 0f;
                         }
-                        let _e307 = phi_519_;
-                        let _e308 = (_e286 + _e307);
-                        let _e309 = (_e286 - _e307);
-                        let _e310 = select(_e295, 0f, _e299);
-                        if _e299 {
-                            phi_530_ = 38685626000000000000000000f;
+                        let _e309 = phi_524_;
+                        let _e310 = (_e288 + _e309);
+                        let _e311 = (_e288 - _e309);
+                        let _e312 = select(_e297, 0f, _e301);
+                        if _e301 {
+                            phi_535_ = 38685626000000000000000000f;
                         } else {
-                            phi_530_ = (1f / _e295);
+                            phi_535_ = (1f / _e297);
                         }
-                        let _e313 = phi_530_;
-                        let _e314 = (_e218 == 0u);
-                        if _e314 {
-                            phi_539_ = _e240[0];
+                        let _e315 = phi_535_;
+                        let _e316 = (_e220 == 0u);
+                        if _e316 {
+                            phi_544_ = _e242[0];
                         } else {
-                            phi_539_ = _e240[1];
+                            phi_544_ = _e242[1];
                         }
-                        let _e318 = phi_539_;
-                        let _e319 = (_e218 == 2u);
-                        if _e319 {
-                            phi_545_ = _e240[2];
+                        let _e320 = phi_544_;
+                        let _e321 = (_e220 == 2u);
+                        if _e321 {
+                            phi_550_ = _e242[2];
                         } else {
-                            phi_545_ = _e318;
+                            phi_550_ = _e320;
                         }
-                        let _e322 = phi_545_;
-                        if _e314 {
-                            phi_556_ = _e250[0];
+                        let _e324 = phi_550_;
+                        if _e316 {
+                            phi_561_ = _e252[0];
                         } else {
-                            phi_556_ = _e250[1];
+                            phi_561_ = _e252[1];
                         }
-                        let _e326 = phi_556_;
-                        if _e319 {
-                            phi_562_ = _e250[2];
+                        let _e328 = phi_561_;
+                        if _e321 {
+                            phi_567_ = _e252[2];
                         } else {
-                            phi_562_ = _e326;
+                            phi_567_ = _e328;
                         }
-                        let _e329 = phi_562_;
-                        let _e331 = ((_e329 * _e229) * _e235);
-                        let _e335 = (bitcast<f32>((bitcast<u32>(_e331) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e335 {
-                            let _e339 = (bitcast<f32>((bitcast<u32>(_e322) & 2147483647u)) * 0.00000011920929f);
-                            phi_585_ = select(0.00000000000011368684f, _e339, (_e339 > 0.00000000000011368684f));
+                        let _e331 = phi_567_;
+                        let _e333 = ((_e331 * _e231) * _e237);
+                        let _e337 = (bitcast<f32>((bitcast<u32>(_e333) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e337 {
+                            let _e341 = (bitcast<f32>((bitcast<u32>(_e324) & 2147483647u)) * 0.00000011920929f);
+                            phi_590_ = select(0.00000000000011368684f, _e341, (_e341 > 0.00000000000011368684f));
                         } else {
-                            phi_585_ = 0f;
+                            phi_590_ = 0f;
                         }
-                        let _e343 = phi_585_;
-                        let _e344 = (_e322 + _e343);
-                        let _e345 = (_e322 - _e343);
-                        let _e346 = select(_e331, 0f, _e335);
-                        if _e335 {
-                            phi_596_ = 38685626000000000000000000f;
+                        let _e345 = phi_590_;
+                        let _e346 = (_e324 + _e345);
+                        let _e347 = (_e324 - _e345);
+                        let _e348 = select(_e333, 0f, _e337);
+                        if _e337 {
+                            phi_601_ = 38685626000000000000000000f;
                         } else {
-                            phi_596_ = (1f / _e331);
+                            phi_601_ = (1f / _e333);
                         }
-                        let _e349 = phi_596_;
-                        let _e352 = bitcast<f32>((bitcast<u32>(_e249) & 2147483647u));
-                        let _e355 = bitcast<f32>((bitcast<u32>(_e286) & 2147483647u));
-                        let _e357 = select(_e355, _e352, (_e352 > _e355));
-                        let _e360 = bitcast<f32>((bitcast<u32>(_e322) & 2147483647u));
-                        if (_e179 && (select(_e360, _e357, (_e357 > _e360)) <= 1099511600000f)) {
-                            let _e365 = (_e198 / 3i);
-                            let _e372 = bitcast<f32>((bitcast<u32>((_e365 + 127i)) << bitcast<u32>(23i)));
-                            let _e379 = bitcast<f32>((bitcast<u32>(((_e198 - (2i * _e365)) + 127i)) << bitcast<u32>(23i)));
-                            let _e380 = (((_e90 * _e372) * _e372) * _e379);
-                            let _e382 = select(340282350000000000000000000000000000000f, _e380, (_e380 < 340282350000000000000000000000000000000f));
-                            let _e387 = (((_e95 * _e372) * _e372) * _e379);
-                            let _e389 = select(340282350000000000000000000000000000000f, _e387, (_e387 < 340282350000000000000000000000000000000f));
-                            phi_696_ = select(-340282350000000000000000000000000000000f, _e389, (_e389 > -340282350000000000000000000000000000000f));
-                            phi_697_ = select(-340282350000000000000000000000000000000f, _e382, (_e382 > -340282350000000000000000000000000000000f));
+                        let _e351 = phi_601_;
+                        let _e354 = bitcast<f32>((bitcast<u32>(_e251) & 2147483647u));
+                        let _e357 = bitcast<f32>((bitcast<u32>(_e288) & 2147483647u));
+                        let _e359 = select(_e357, _e354, (_e354 > _e357));
+                        let _e362 = bitcast<f32>((bitcast<u32>(_e324) & 2147483647u));
+                        if (_e181 && (select(_e362, _e359, (_e359 > _e362)) <= 1099511600000f)) {
+                            let _e367 = (_e200 / 3i);
+                            let _e374 = bitcast<f32>((bitcast<u32>((_e367 + 127i)) << bitcast<u32>(23i)));
+                            let _e381 = bitcast<f32>((bitcast<u32>(((_e200 - (2i * _e367)) + 127i)) << bitcast<u32>(23i)));
+                            let _e382 = (((_e92 * _e374) * _e374) * _e381);
+                            let _e384 = select(340282350000000000000000000000000000000f, _e382, (_e382 < 340282350000000000000000000000000000000f));
+                            let _e389 = (((_e97 * _e374) * _e374) * _e381);
+                            let _e391 = select(340282350000000000000000000000000000000f, _e389, (_e389 < 340282350000000000000000000000000000000f));
+                            phi_701_ = select(-340282350000000000000000000000000000000f, _e391, (_e391 > -340282350000000000000000000000000000000f));
+                            phi_702_ = select(-340282350000000000000000000000000000000f, _e384, (_e384 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_696_ = 0f;
-                            phi_697_ = 1f;
+                            phi_701_ = 0f;
+                            phi_702_ = 1f;
                         }
-                        let _e393 = phi_696_;
-                        let _e395 = phi_697_;
+                        let _e395 = phi_701_;
+                        let _e397 = phi_702_;
                         local_1 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        phi_2044_ = false;
-                        phi_708_ = type_48(_e393, false);
-                        phi_711_ = select(0u, 2147483648u, (_e65 == 0u));
-                        phi_713_ = ((3u * _e65) + 1u);
-                        phi_715_ = (_e395 <= _e393);
-                        phi_717_ = 0u;
+                        phi_2316_ = false;
+                        phi_713_ = type_48(_e395, false);
+                        phi_716_ = select(0u, 2147483648u, (_e67 == 0u));
+                        phi_718_ = ((3u * _e67) + 1u);
+                        phi_720_ = (_e397 <= _e395);
+                        phi_722_ = 0u;
                         loop {
-                            let _e403 = phi_2044_;
-                            let _e405 = phi_708_;
-                            let _e407 = phi_711_;
-                            let _e409 = phi_713_;
-                            let _e411 = phi_715_;
-                            let _e413 = phi_717_;
-                            local_3 = _e405;
-                            if _e411 {
-                                phi_728_ = true;
+                            let _e405 = phi_2316_;
+                            let _e407 = phi_713_;
+                            let _e409 = phi_716_;
+                            let _e411 = phi_718_;
+                            let _e413 = phi_720_;
+                            let _e415 = phi_722_;
+                            local_3 = _e407;
+                            if _e413 {
+                                phi_733_ = true;
                             } else {
-                                phi_728_ = (_e413 > 0u);
+                                phi_733_ = (_e415 > 0u);
                             }
-                            let _e416 = phi_728_;
-                            if _e416 {
-                                let _e417 = (_e409 > 0u);
-                                if _e417 {
-                                    if _e411 {
-                                        phi_760_ = _e407;
-                                        phi_761_ = _e411;
-                                        phi_762_ = _e413;
+                            let _e418 = phi_733_;
+                            if _e418 {
+                                let _e419 = (_e411 > 0u);
+                                if _e419 {
+                                    if _e413 {
+                                        phi_765_ = _e409;
+                                        phi_766_ = _e413;
+                                        phi_767_ = _e415;
                                     } else {
-                                        let _e418 = (_e413 - 1u);
-                                        let _e419 = (_e418 % 128u);
-                                        let _e420 = (_e419 < 128u);
-                                        if _e420 {
+                                        let _e420 = (_e415 - 1u);
+                                        let _e421 = (_e420 % 128u);
+                                        let _e422 = (_e421 < 128u);
+                                        if _e422 {
                                         } else {
-                                            phi_2153_ = true;
+                                            phi_2453_ = true;
                                             break;
                                         }
-                                        let _e422 = local_1[_e419];
-                                        if _e420 {
+                                        let _e424 = local_1[_e421];
+                                        if _e422 {
                                         } else {
-                                            phi_2153_ = true;
+                                            phi_2453_ = true;
                                             break;
                                         }
-                                        let _e424 = local[_e419];
-                                        phi_760_ = _e422;
-                                        phi_761_ = (_e424 <= _e405.member);
-                                        phi_762_ = _e418;
+                                        let _e426 = local[_e421];
+                                        phi_765_ = _e424;
+                                        phi_766_ = (_e426 <= _e407.member);
+                                        phi_767_ = _e420;
                                     }
-                                    let _e428 = phi_760_;
-                                    let _e430 = phi_761_;
-                                    let _e432 = phi_762_;
-                                    if _e430 {
-                                        if ((_e428 & 2147483648u) != 0u) {
-                                            phi_777_ = _e405;
-                                            phi_780_ = type_7(0u, ((_e428 >> bitcast<u32>(28u)) & 7u));
+                                    let _e430 = phi_765_;
+                                    let _e432 = phi_766_;
+                                    let _e434 = phi_767_;
+                                    if _e432 {
+                                        if ((_e430 & 2147483648u) != 0u) {
+                                            phi_782_ = _e407;
+                                            phi_785_ = type_7(0u, ((_e430 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e630 = phi_777_;
-                                                let _e632 = phi_780_;
-                                                local_2 = _e630;
-                                                local_4 = _e630;
-                                                if (_e632.member < _e632.member_1) {
-                                                    phi_781_ = type_7((_e632.member + 1u), _e632.member_1);
-                                                    phi_803_ = type_7(1u, _e632.member);
+                                                let _e632 = phi_782_;
+                                                let _e634 = phi_785_;
+                                                local_2 = _e632;
+                                                local_4 = _e632;
+                                                if (_e634.member < _e634.member_1) {
+                                                    phi_786_ = type_7((_e634.member + 1u), _e634.member_1);
+                                                    phi_808_ = type_7(1u, _e634.member);
                                                 } else {
-                                                    phi_781_ = _e632;
-                                                    phi_803_ = type_7(0u, type_7().member_1);
+                                                    phi_786_ = _e634;
+                                                    phi_808_ = type_7(0u, type_7().member_1);
                                                 }
-                                                let _e645 = phi_781_;
-                                                let _e647 = phi_803_;
-                                                let _e651 = (bitcast<i32>(_e647.member) != 0i);
-                                                if _e651 {
-                                                    let _e652 = ((_e428 & 268435455u) + _e647.member_1);
-                                                    let _e653 = (_e652 < _e67);
-                                                    if _e653 {
-                                                        if _e653 {
+                                                let _e647 = phi_786_;
+                                                let _e649 = phi_808_;
+                                                let _e653 = (bitcast<i32>(_e649.member) != 0i);
+                                                if _e653 {
+                                                    let _e654 = ((_e430 & 268435455u) + _e649.member_1);
+                                                    let _e655 = (_e654 < _e69);
+                                                    if _e655 {
+                                                        if _e655 {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e657 = global_1.member[_e652].member_1;
-                                                        phi_824_ = _e657;
+                                                        let _e659 = global_1.member[_e654].member_1;
+                                                        phi_829_ = _e659;
                                                     } else {
-                                                        phi_824_ = 4294967295u;
+                                                        phi_829_ = 4294967295u;
                                                     }
-                                                    let _e659 = phi_824_;
-                                                    if (_e652 >= _e67) {
-                                                        phi_913_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
+                                                    let _e661 = phi_829_;
+                                                    if (_e654 >= _e69) {
+                                                        phi_918_ = array<array<f32, 3>, 3>(array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f), array<f32, 3>(0f, 0f, 0f));
                                                     } else {
-                                                        if _e653 {
+                                                        if _e655 {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e661 = (_e217 % 3u);
-                                                        let _e662 = (_e216 % 3u);
-                                                        let _e663 = (_e218 % 3u);
-                                                        if (_e661 < 9u) {
-                                                        } else {
-                                                            phi_2038_ = true;
-                                                            break;
-                                                        }
-                                                        let _e669 = global_1.member[_e652].member[_e661];
-                                                        if (_e662 < 9u) {
-                                                        } else {
-                                                            phi_2038_ = true;
-                                                            break;
-                                                        }
-                                                        let _e675 = global_1.member[_e652].member[_e662];
+                                                        let _e663 = (_e219 % 3u);
+                                                        let _e664 = (_e218 % 3u);
+                                                        let _e665 = (_e220 % 3u);
                                                         if (_e663 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e681 = global_1.member[_e652].member[_e663];
-                                                        let _e683 = (3u + _e661);
-                                                        if (_e683 < 9u) {
+                                                        let _e671 = global_1.member[_e654].member[_e663];
+                                                        if (_e664 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e689 = global_1.member[_e652].member[_e683];
-                                                        let _e690 = (3u + _e662);
-                                                        if (_e690 < 9u) {
+                                                        let _e677 = global_1.member[_e654].member[_e664];
+                                                        if (_e665 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e696 = global_1.member[_e652].member[_e690];
-                                                        let _e697 = (3u + _e663);
-                                                        if (_e697 < 9u) {
+                                                        let _e683 = global_1.member[_e654].member[_e665];
+                                                        let _e685 = (3u + _e663);
+                                                        if (_e685 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e703 = global_1.member[_e652].member[_e697];
-                                                        let _e705 = (6u + _e661);
-                                                        if (_e705 < 9u) {
+                                                        let _e691 = global_1.member[_e654].member[_e685];
+                                                        let _e692 = (3u + _e664);
+                                                        if (_e692 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e711 = global_1.member[_e652].member[_e705];
-                                                        let _e712 = (6u + _e662);
-                                                        if (_e712 < 9u) {
+                                                        let _e698 = global_1.member[_e654].member[_e692];
+                                                        let _e699 = (3u + _e665);
+                                                        if (_e699 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e718 = global_1.member[_e652].member[_e712];
-                                                        let _e719 = (6u + _e663);
-                                                        if (_e719 < 9u) {
+                                                        let _e705 = global_1.member[_e654].member[_e699];
+                                                        let _e707 = (6u + _e663);
+                                                        if (_e707 < 9u) {
                                                         } else {
-                                                            phi_2038_ = true;
+                                                            phi_2310_ = true;
                                                             break;
                                                         }
-                                                        let _e725 = global_1.member[_e652].member[_e719];
-                                                        phi_913_ = array<array<f32, 3>, 3>(array<f32, 3>(_e669, _e675, _e681), array<f32, 3>(_e689, _e696, _e703), array<f32, 3>(_e711, _e718, _e725));
+                                                        let _e713 = global_1.member[_e654].member[_e707];
+                                                        let _e714 = (6u + _e664);
+                                                        if (_e714 < 9u) {
+                                                        } else {
+                                                            phi_2310_ = true;
+                                                            break;
+                                                        }
+                                                        let _e720 = global_1.member[_e654].member[_e714];
+                                                        let _e721 = (6u + _e665);
+                                                        if (_e721 < 9u) {
+                                                        } else {
+                                                            phi_2310_ = true;
+                                                            break;
+                                                        }
+                                                        let _e727 = global_1.member[_e654].member[_e721];
+                                                        phi_918_ = array<array<f32, 3>, 3>(array<f32, 3>(_e671, _e677, _e683), array<f32, 3>(_e691, _e698, _e705), array<f32, 3>(_e713, _e720, _e727));
                                                     }
-                                                    let _e729 = phi_913_;
-                                                    let _e737 = (_e729[0][2] - _e322);
-                                                    let _e740 = (((_e729[0][0] - _e249) * _e346) - (_e737 * _e274));
-                                                    let _e743 = (((_e729[0][1] - _e286) * _e346) - (_e737 * _e310));
-                                                    let _e750 = (_e729[1][2] - _e322);
-                                                    let _e753 = (((_e729[1][0] - _e249) * _e346) - (_e750 * _e274));
-                                                    let _e756 = (((_e729[1][1] - _e286) * _e346) - (_e750 * _e310));
-                                                    let _e763 = (_e729[2][2] - _e322);
-                                                    let _e766 = (((_e729[2][0] - _e249) * _e346) - (_e763 * _e274));
-                                                    let _e769 = (((_e729[2][1] - _e286) * _e346) - (_e763 * _e310));
-                                                    let _e770 = (_e766 * _e756);
-                                                    let _e771 = (_e769 * _e753);
-                                                    let _e772 = (_e740 * _e769);
-                                                    let _e773 = (_e743 * _e766);
-                                                    let _e774 = (_e753 * _e743);
-                                                    let _e775 = (_e756 * _e740);
-                                                    let _e780 = (((_e770 >= _e771) && (_e772 >= _e773)) && (_e774 >= _e775));
-                                                    if (_e780 || (((_e770 <= _e771) && (_e772 <= _e773)) && (_e774 <= _e775))) {
-                                                        let _e787 = select(-1f, 1f, _e780);
-                                                        let _e789 = ((_e770 - _e771) * _e787);
-                                                        let _e791 = select(0f, _e789, (_e789 > 0f));
-                                                        let _e793 = ((_e772 - _e773) * _e787);
-                                                        let _e795 = select(0f, _e793, (_e793 > 0f));
-                                                        let _e797 = ((_e774 - _e775) * _e787);
-                                                        let _e799 = select(0f, _e797, (_e797 > 0f));
-                                                        let _e801 = ((_e791 + _e795) + _e799);
-                                                        if (_e801 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1479_ = type_22();
-                                                            phi_1480_ = true;
+                                                    let _e731 = phi_918_;
+                                                    let _e739 = (_e731[0][2] - _e324);
+                                                    let _e742 = (((_e731[0][0] - _e251) * _e348) - (_e739 * _e276));
+                                                    let _e745 = (((_e731[0][1] - _e288) * _e348) - (_e739 * _e312));
+                                                    let _e752 = (_e731[1][2] - _e324);
+                                                    let _e755 = (((_e731[1][0] - _e251) * _e348) - (_e752 * _e276));
+                                                    let _e758 = (((_e731[1][1] - _e288) * _e348) - (_e752 * _e312));
+                                                    let _e765 = (_e731[2][2] - _e324);
+                                                    let _e768 = (((_e731[2][0] - _e251) * _e348) - (_e765 * _e276));
+                                                    let _e771 = (((_e731[2][1] - _e288) * _e348) - (_e765 * _e312));
+                                                    let _e772 = (_e768 * _e758);
+                                                    let _e773 = (_e771 * _e755);
+                                                    let _e774 = (_e742 * _e771);
+                                                    let _e775 = (_e745 * _e768);
+                                                    let _e776 = (_e755 * _e745);
+                                                    let _e777 = (_e758 * _e742);
+                                                    let _e782 = (((_e772 >= _e773) && (_e774 >= _e775)) && (_e776 >= _e777));
+                                                    if (_e782 || (((_e772 <= _e773) && (_e774 <= _e775)) && (_e776 <= _e777))) {
+                                                        let _e789 = select(-1f, 1f, _e782);
+                                                        let _e791 = ((_e772 - _e773) * _e789);
+                                                        let _e793 = select(0f, _e791, (_e791 > 0f));
+                                                        let _e795 = ((_e774 - _e775) * _e789);
+                                                        let _e797 = select(0f, _e795, (_e795 > 0f));
+                                                        let _e799 = ((_e776 - _e777) * _e789);
+                                                        let _e801 = select(0f, _e799, (_e799 > 0f));
+                                                        let _e803 = ((_e793 + _e797) + _e801);
+                                                        if (_e803 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_1746_ = type_22();
+                                                            phi_1747_ = true;
+                                                            phi_1748_ = false;
                                                         } else {
-                                                            let _e804 = select(_e729[1][0], _e729[0][0], (_e729[0][0] < _e729[1][0]));
-                                                            let _e808 = select(_e729[1][0], _e729[0][0], (_e729[0][0] > _e729[1][0]));
-                                                            let _e812 = select(_e729[1][1], _e729[0][1], (_e729[0][1] < _e729[1][1]));
-                                                            let _e816 = select(_e729[1][1], _e729[0][1], (_e729[0][1] > _e729[1][1]));
-                                                            let _e820 = select(_e729[1][2], _e729[0][2], (_e729[0][2] < _e729[1][2]));
-                                                            let _e824 = select(_e729[1][2], _e729[0][2], (_e729[0][2] > _e729[1][2]));
-                                                            let _e829 = ((select(_e729[2][0], _e804, (_e804 < _e729[2][0])) - _e272) * _e277);
-                                                            let _e830 = ((select(_e729[2][0], _e808, (_e808 > _e729[2][0])) - _e273) * _e277);
-                                                            let _e833 = ((select(_e729[2][1], _e812, (_e812 < _e729[2][1])) - _e308) * _e313);
-                                                            let _e834 = ((select(_e729[2][1], _e816, (_e816 > _e729[2][1])) - _e309) * _e313);
-                                                            let _e837 = ((select(_e729[2][2], _e820, (_e820 < _e729[2][2])) - _e344) * _e349);
-                                                            let _e838 = ((select(_e729[2][2], _e824, (_e824 > _e729[2][2])) - _e345) * _e349);
-                                                            let _e840 = select(_e838, _e837, (_e837 < _e838));
-                                                            let _e842 = select(_e838, _e837, (_e837 > _e838));
-                                                            let _e844 = select(_e830, _e829, (_e829 < _e830));
-                                                            let _e846 = select(_e834, _e833, (_e833 < _e834));
-                                                            let _e848 = select(_e846, _e844, (_e844 > _e846));
-                                                            let _e850 = select(_e840, _e848, (_e848 > _e840));
-                                                            let _e852 = select(_e830, _e829, (_e829 > _e830));
-                                                            let _e854 = select(_e834, _e833, (_e833 > _e834));
-                                                            let _e856 = select(_e854, _e852, (_e852 < _e854));
-                                                            let _e858 = select(_e842, _e856, (_e856 < _e842));
-                                                            let _e859 = -(_e840);
-                                                            let _e865 = select(_e395, _e850, (_e850 > _e395));
-                                                            if (_e865 > (_e858 + (select(_e859, _e842, (_e842 > _e859)) * 0.0000019073523f))) {
-                                                                phi_1474_ = type_22();
-                                                                phi_1475_ = true;
+                                                            let _e806 = select(_e755, _e742, (_e742 < _e755));
+                                                            if (select(_e768, _e806, (_e806 < _e768)) > 0f) {
+                                                                phi_1035_ = true;
                                                             } else {
-                                                                let _e867 = (_e865 > _e630.member);
-                                                                if _e867 {
-                                                                    phi_1473_ = type_22();
-                                                                } else {
-                                                                    let _e871 = (_e729[1][0] - _e729[0][0]);
-                                                                    let _e872 = (_e729[1][1] - _e729[0][1]);
-                                                                    let _e873 = (_e729[1][2] - _e729[0][2]);
-                                                                    let _e874 = vec3<f32>(_e871, _e872, _e873);
-                                                                    let _e875 = (_e729[2][0] - _e729[1][0]);
-                                                                    let _e876 = (_e729[2][1] - _e729[1][1]);
-                                                                    let _e877 = (_e729[2][2] - _e729[1][2]);
-                                                                    let _e878 = vec3<f32>(_e875, _e876, _e877);
-                                                                    let _e879 = (_e729[0][0] - _e729[2][0]);
-                                                                    let _e880 = (_e729[0][1] - _e729[2][1]);
-                                                                    let _e881 = (_e729[0][2] - _e729[2][2]);
-                                                                    let _e882 = vec3<f32>(_e879, _e880, _e881);
-                                                                    let _e885 = bitcast<f32>((bitcast<u32>(_e871) & 2147483647u));
-                                                                    let _e888 = bitcast<f32>((bitcast<u32>(_e872) & 2147483647u));
-                                                                    let _e890 = select(_e888, _e885, (_e885 > _e888));
-                                                                    let _e893 = bitcast<f32>((bitcast<u32>(_e873) & 2147483647u));
-                                                                    let _e895 = select(_e893, _e890, (_e890 > _e893));
-                                                                    let _e898 = bitcast<f32>((bitcast<u32>(_e875) & 2147483647u));
-                                                                    let _e901 = bitcast<f32>((bitcast<u32>(_e876) & 2147483647u));
-                                                                    let _e903 = select(_e901, _e898, (_e898 > _e901));
-                                                                    let _e906 = bitcast<f32>((bitcast<u32>(_e877) & 2147483647u));
-                                                                    let _e908 = select(_e906, _e903, (_e903 > _e906));
-                                                                    let _e911 = bitcast<f32>((bitcast<u32>(_e879) & 2147483647u));
-                                                                    let _e914 = bitcast<f32>((bitcast<u32>(_e880) & 2147483647u));
-                                                                    let _e916 = select(_e914, _e911, (_e911 > _e914));
-                                                                    let _e919 = bitcast<f32>((bitcast<u32>(_e881) & 2147483647u));
-                                                                    let _e921 = select(_e919, _e916, (_e916 > _e919));
-                                                                    let _e923 = select(_e908, _e895, (_e895 > _e908));
-                                                                    let _e925 = select(_e921, _e923, (_e923 > _e921));
-                                                                    if (_e895 == _e925) {
-                                                                        phi_1384_ = _e878;
-                                                                        phi_1385_ = _e882;
-                                                                    } else {
-                                                                        let _e928 = vec3((_e908 == _e925));
-                                                                        phi_1384_ = select(_e874, _e882, _e928);
-                                                                        phi_1385_ = select(_e878, _e874, _e928);
-                                                                    }
-                                                                    let _e932 = phi_1384_;
-                                                                    let _e934 = phi_1385_;
-                                                                    let _e941 = ((_e932.y * _e934.z) - (_e934.y * _e932.z));
-                                                                    let _e946 = ((_e932.z * _e934.x) - (_e934.z * _e932.x));
-                                                                    let _e949 = ((_e932.x * _e934.y) - (_e934.x * _e932.y));
-                                                                    if (_e791 >= _e795) {
-                                                                        phi_1416_ = select(true, false, (_e791 >= _e799));
-                                                                    } else {
-                                                                        phi_1416_ = true;
-                                                                    }
-                                                                    let _e954 = phi_1416_;
-                                                                    if _e954 {
-                                                                        phi_1425_ = select(vec3<f32>(_e729[2][0], _e729[2][1], _e729[2][2]), vec3<f32>(_e729[1][0], _e729[1][1], _e729[1][2]), vec3((_e795 >= _e799)));
-                                                                    } else {
-                                                                        phi_1425_ = vec3<f32>(_e729[0][0], _e729[0][1], _e729[0][2]);
-                                                                    }
-                                                                    let _e959 = phi_1425_;
-                                                                    let _e976 = ((((_e941 * (_e959.x - _e249)) + (_e946 * (_e959.y - _e286))) + (_e949 * (_e959.z - _e322))) / (((_e941 * _e274) + (_e946 * _e310)) + (_e949 * _e346)));
-                                                                    let _e978 = select(_e858, _e976, (_e976 < _e858));
-                                                                    let _e980 = select(_e850, _e978, (_e978 > _e850));
-                                                                    if (_e980 >= _e395) {
-                                                                        let _e982 = (_e980 <= _e630.member);
-                                                                        if _e982 {
-                                                                            let _e983 = (1f / _e801);
-                                                                            phi_1465_ = type_22(_e980, (_e795 * _e983), (_e799 * _e983), _e659);
-                                                                        } else {
-                                                                            phi_1465_ = type_22();
-                                                                        }
-                                                                        let _e988 = phi_1465_;
-                                                                        phi_1467_ = _e988;
-                                                                        phi_1468_ = select(true, false, _e982);
-                                                                    } else {
-                                                                        phi_1467_ = type_22();
-                                                                        phi_1468_ = true;
-                                                                    }
-                                                                    let _e991 = phi_1467_;
-                                                                    let _e993 = phi_1468_;
-                                                                    if _e993 {
-                                                                        phi_1472_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1472_ = _e991;
-                                                                    }
-                                                                    let _e995 = phi_1472_;
-                                                                    phi_1473_ = _e995;
-                                                                }
-                                                                let _e997 = phi_1473_;
-                                                                phi_1474_ = _e997;
-                                                                phi_1475_ = _e867;
+                                                                let _e811 = select(_e755, _e742, (_e742 > _e755));
+                                                                phi_1035_ = (select(_e768, _e811, (_e811 > _e768)) < 0f);
                                                             }
-                                                            let _e999 = phi_1474_;
-                                                            let _e1001 = phi_1475_;
-                                                            phi_1479_ = _e999;
-                                                            phi_1480_ = _e1001;
+                                                            let _e816 = phi_1035_;
+                                                            if _e816 {
+                                                                phi_1743_ = type_22();
+                                                                phi_1744_ = true;
+                                                                phi_1745_ = false;
+                                                            } else {
+                                                                let _e818 = select(_e758, _e745, (_e745 < _e758));
+                                                                if (select(_e771, _e818, (_e818 < _e771)) > 0f) {
+                                                                    phi_1064_ = true;
+                                                                } else {
+                                                                    let _e823 = select(_e758, _e745, (_e745 > _e758));
+                                                                    phi_1064_ = (select(_e771, _e823, (_e823 > _e771)) < 0f);
+                                                                }
+                                                                let _e828 = phi_1064_;
+                                                                if _e828 {
+                                                                    phi_1741_ = type_22();
+                                                                    phi_1742_ = false;
+                                                                } else {
+                                                                    let _e830 = select(_e731[1][0], _e731[0][0], (_e731[0][0] < _e731[1][0]));
+                                                                    let _e834 = select(_e731[1][0], _e731[0][0], (_e731[0][0] > _e731[1][0]));
+                                                                    let _e838 = select(_e731[1][1], _e731[0][1], (_e731[0][1] < _e731[1][1]));
+                                                                    let _e842 = select(_e731[1][1], _e731[0][1], (_e731[0][1] > _e731[1][1]));
+                                                                    let _e846 = select(_e731[1][2], _e731[0][2], (_e731[0][2] < _e731[1][2]));
+                                                                    let _e850 = select(_e731[1][2], _e731[0][2], (_e731[0][2] > _e731[1][2]));
+                                                                    let _e855 = ((select(_e731[2][0], _e830, (_e830 < _e731[2][0])) - _e274) * _e279);
+                                                                    let _e856 = ((select(_e731[2][0], _e834, (_e834 > _e731[2][0])) - _e275) * _e279);
+                                                                    let _e859 = ((select(_e731[2][1], _e838, (_e838 < _e731[2][1])) - _e310) * _e315);
+                                                                    let _e860 = ((select(_e731[2][1], _e842, (_e842 > _e731[2][1])) - _e311) * _e315);
+                                                                    let _e863 = ((select(_e731[2][2], _e846, (_e846 < _e731[2][2])) - _e346) * _e351);
+                                                                    let _e864 = ((select(_e731[2][2], _e850, (_e850 > _e731[2][2])) - _e347) * _e351);
+                                                                    let _e866 = select(_e864, _e863, (_e863 < _e864));
+                                                                    let _e868 = select(_e864, _e863, (_e863 > _e864));
+                                                                    let _e870 = select(_e856, _e855, (_e855 < _e856));
+                                                                    let _e872 = select(_e860, _e859, (_e859 < _e860));
+                                                                    let _e874 = select(_e872, _e870, (_e870 > _e872));
+                                                                    let _e876 = select(_e866, _e874, (_e874 > _e866));
+                                                                    let _e878 = select(_e856, _e855, (_e855 > _e856));
+                                                                    let _e880 = select(_e860, _e859, (_e859 > _e860));
+                                                                    let _e882 = select(_e880, _e878, (_e878 < _e880));
+                                                                    let _e884 = select(_e868, _e882, (_e882 < _e868));
+                                                                    let _e885 = -(_e866);
+                                                                    let _e891 = select(_e397, _e876, (_e876 > _e397));
+                                                                    if (_e891 > (_e884 + (select(_e885, _e868, (_e868 > _e885)) * 0.0000019073523f))) {
+                                                                        phi_1736_ = type_22();
+                                                                        phi_1737_ = true;
+                                                                    } else {
+                                                                        let _e893 = (_e891 > _e632.member);
+                                                                        if _e893 {
+                                                                            phi_1735_ = type_22();
+                                                                        } else {
+                                                                            let _e894 = vec3<f32>(_e731[0][0], _e731[0][1], _e731[0][2]);
+                                                                            let _e895 = vec3<f32>(_e731[1][0], _e731[1][1], _e731[1][2]);
+                                                                            let _e896 = vec3<f32>(_e731[2][0], _e731[2][1], _e731[2][2]);
+                                                                            let _e897 = (_e731[1][0] - _e731[0][0]);
+                                                                            let _e898 = (_e731[1][1] - _e731[0][1]);
+                                                                            let _e899 = (_e731[1][2] - _e731[0][2]);
+                                                                            let _e900 = vec3<f32>(_e897, _e898, _e899);
+                                                                            let _e901 = (_e731[2][0] - _e731[1][0]);
+                                                                            let _e902 = (_e731[2][1] - _e731[1][1]);
+                                                                            let _e903 = (_e731[2][2] - _e731[1][2]);
+                                                                            let _e904 = vec3<f32>(_e901, _e902, _e903);
+                                                                            let _e905 = (_e731[0][0] - _e731[2][0]);
+                                                                            let _e906 = (_e731[0][1] - _e731[2][1]);
+                                                                            let _e907 = (_e731[0][2] - _e731[2][2]);
+                                                                            let _e908 = vec3<f32>(_e905, _e906, _e907);
+                                                                            let _e911 = bitcast<f32>((bitcast<u32>(_e897) & 2147483647u));
+                                                                            let _e914 = bitcast<f32>((bitcast<u32>(_e898) & 2147483647u));
+                                                                            let _e916 = select(_e914, _e911, (_e911 > _e914));
+                                                                            let _e919 = bitcast<f32>((bitcast<u32>(_e899) & 2147483647u));
+                                                                            let _e921 = select(_e919, _e916, (_e916 > _e919));
+                                                                            let _e924 = bitcast<f32>((bitcast<u32>(_e901) & 2147483647u));
+                                                                            let _e927 = bitcast<f32>((bitcast<u32>(_e902) & 2147483647u));
+                                                                            let _e929 = select(_e927, _e924, (_e924 > _e927));
+                                                                            let _e932 = bitcast<f32>((bitcast<u32>(_e903) & 2147483647u));
+                                                                            let _e934 = select(_e932, _e929, (_e929 > _e932));
+                                                                            let _e937 = bitcast<f32>((bitcast<u32>(_e905) & 2147483647u));
+                                                                            let _e940 = bitcast<f32>((bitcast<u32>(_e906) & 2147483647u));
+                                                                            let _e942 = select(_e940, _e937, (_e937 > _e940));
+                                                                            let _e945 = bitcast<f32>((bitcast<u32>(_e907) & 2147483647u));
+                                                                            let _e947 = select(_e945, _e942, (_e942 > _e945));
+                                                                            let _e949 = select(_e934, _e921, (_e921 > _e934));
+                                                                            let _e951 = select(_e947, _e949, (_e949 > _e947));
+                                                                            if (_e921 == _e951) {
+                                                                                phi_1465_ = _e758;
+                                                                                phi_1466_ = _e755;
+                                                                                phi_1467_ = _e745;
+                                                                                phi_1468_ = _e742;
+                                                                                phi_1469_ = _e894;
+                                                                                phi_1470_ = _e908;
+                                                                                phi_1471_ = _e904;
+                                                                                phi_1472_ = _e900;
+                                                                            } else {
+                                                                                let _e953 = (_e934 == _e951);
+                                                                                let _e958 = vec3(_e953);
+                                                                                phi_1465_ = select(_e745, _e771, _e953);
+                                                                                phi_1466_ = select(_e742, _e768, _e953);
+                                                                                phi_1467_ = select(_e771, _e758, _e953);
+                                                                                phi_1468_ = select(_e768, _e755, _e953);
+                                                                                phi_1469_ = select(_e896, _e895, _e958);
+                                                                                phi_1470_ = select(_e904, _e900, _e958);
+                                                                                phi_1471_ = select(_e900, _e908, _e958);
+                                                                                phi_1472_ = select(_e908, _e904, _e958);
+                                                                            }
+                                                                            let _e964 = phi_1465_;
+                                                                            let _e966 = phi_1466_;
+                                                                            let _e968 = phi_1467_;
+                                                                            let _e970 = phi_1468_;
+                                                                            let _e972 = phi_1469_;
+                                                                            let _e974 = phi_1470_;
+                                                                            let _e976 = phi_1471_;
+                                                                            let _e978 = phi_1472_;
+                                                                            let _e985 = ((_e976.y * _e974.z) - (_e974.y * _e976.z));
+                                                                            let _e990 = ((_e976.z * _e974.x) - (_e974.z * _e976.x));
+                                                                            let _e993 = ((_e976.x * _e974.y) - (_e974.x * _e976.y));
+                                                                            if (_e793 >= _e797) {
+                                                                                phi_1503_ = select(true, false, (_e793 >= _e801));
+                                                                            } else {
+                                                                                phi_1503_ = true;
+                                                                            }
+                                                                            let _e998 = phi_1503_;
+                                                                            if _e998 {
+                                                                                phi_1512_ = select(_e896, _e895, vec3((_e797 >= _e801)));
+                                                                            } else {
+                                                                                phi_1512_ = _e894;
+                                                                            }
+                                                                            let _e1003 = phi_1512_;
+                                                                            let _e1008 = (((_e985 * _e276) + (_e990 * _e312)) + (_e993 * _e348));
+                                                                            let _e1019 = (((_e985 * (_e1003.x - _e251)) + (_e990 * (_e1003.y - _e288))) + (_e993 * (_e1003.z - _e324)));
+                                                                            let _e1021 = (_e966 - _e970);
+                                                                            let _e1022 = (_e964 - _e968);
+                                                                            let _e1030 = (-(((_e970 * _e1021) + (_e968 * _e1022))) / ((_e1021 * _e1021) + (_e1022 * _e1022)));
+                                                                            let _e1032 = select(1f, _e1030, (_e1030 < 1f));
+                                                                            let _e1034 = select(0f, _e1032, (_e1032 > 0f));
+                                                                            let _e1047 = ((_e972.x + (_e978.x * _e1034)) - _e251);
+                                                                            let _e1048 = ((_e972.y + (_e978.y * _e1034)) - _e288);
+                                                                            let _e1049 = ((_e972.z + (_e978.z * _e1034)) - _e324);
+                                                                            let _e1050 = (_e1049 / _e348);
+                                                                            let _e1062 = bitcast<f32>((bitcast<u32>(_e1047) & 2147483647u));
+                                                                            let _e1065 = bitcast<f32>((bitcast<u32>(_e1048) & 2147483647u));
+                                                                            let _e1067 = select(_e1065, _e1062, (_e1062 > _e1065));
+                                                                            let _e1070 = bitcast<f32>((bitcast<u32>(_e1049) & 2147483647u));
+                                                                            let _e1072 = select(_e1070, _e1067, (_e1067 > _e1070));
+                                                                            let _e1078 = bitcast<f32>((bitcast<u32>(_e985) & 2147483647u));
+                                                                            let _e1081 = bitcast<f32>((bitcast<u32>(_e990) & 2147483647u));
+                                                                            let _e1083 = select(_e1081, _e1078, (_e1078 > _e1081));
+                                                                            let _e1086 = bitcast<f32>((bitcast<u32>(_e993) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e985 * _e1047) + (_e990 * _e1048)) + (_e993 * _e1049)) - _e1019)) & 2147483647u)) <= ((0.0000009536743f * select(_e951, _e1072, (_e1072 > _e951))) * select(_e1086, _e1083, (_e1083 > _e1086)))) {
+                                                                                let _e1096 = bitcast<f32>((bitcast<u32>(_e976.x) & 2147483647u));
+                                                                                let _e1099 = bitcast<f32>((bitcast<u32>(_e976.y) & 2147483647u));
+                                                                                let _e1101 = select(_e1099, _e1096, (_e1096 > _e1099));
+                                                                                let _e1104 = bitcast<f32>((bitcast<u32>(_e976.z) & 2147483647u));
+                                                                                let _e1110 = bitcast<f32>((bitcast<u32>(_e974.x) & 2147483647u));
+                                                                                let _e1113 = bitcast<f32>((bitcast<u32>(_e974.y) & 2147483647u));
+                                                                                let _e1115 = select(_e1113, _e1110, (_e1110 > _e1113));
+                                                                                let _e1118 = bitcast<f32>((bitcast<u32>(_e974.z) & 2147483647u));
+                                                                                phi_1679_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1008) & 2147483647u)) > ((0.0000038146973f * select(_e1104, _e1101, (_e1101 > _e1104))) * select(_e1118, _e1115, (_e1115 > _e1118)))));
+                                                                            } else {
+                                                                                phi_1679_ = true;
+                                                                            }
+                                                                            let _e1125 = phi_1679_;
+                                                                            if _e1125 {
+                                                                                let _e1136 = ((((_e985 * (_e1047 - (_e276 * _e1050))) + (_e990 * (_e1048 - (_e312 * _e1050)))) + (_e993 * (_e1049 - _e1049))) / _e1008);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1136) & 2147483647u)) <= _e951) {
+                                                                                    phi_1703_ = (_e1050 + _e1136);
+                                                                                } else {
+                                                                                    phi_1703_ = _e1050;
+                                                                                }
+                                                                                let _e1143 = phi_1703_;
+                                                                                phi_1704_ = _e1143;
+                                                                            } else {
+                                                                                phi_1704_ = (_e1019 / _e1008);
+                                                                            }
+                                                                            let _e1145 = phi_1704_;
+                                                                            let _e1147 = select(_e884, _e1145, (_e1145 < _e884));
+                                                                            let _e1149 = select(_e876, _e1147, (_e1147 > _e876));
+                                                                            if (_e1149 >= _e397) {
+                                                                                let _e1151 = (_e1149 <= _e632.member);
+                                                                                if _e1151 {
+                                                                                    let _e1152 = (1f / _e803);
+                                                                                    phi_1727_ = type_22(_e1149, (_e797 * _e1152), (_e801 * _e1152), _e661);
+                                                                                } else {
+                                                                                    phi_1727_ = type_22();
+                                                                                }
+                                                                                let _e1157 = phi_1727_;
+                                                                                phi_1729_ = _e1157;
+                                                                                phi_1730_ = select(true, false, _e1151);
+                                                                            } else {
+                                                                                phi_1729_ = type_22();
+                                                                                phi_1730_ = true;
+                                                                            }
+                                                                            let _e1160 = phi_1729_;
+                                                                            let _e1162 = phi_1730_;
+                                                                            if _e1162 {
+                                                                                phi_1734_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_1734_ = _e1160;
+                                                                            }
+                                                                            let _e1164 = phi_1734_;
+                                                                            phi_1735_ = _e1164;
+                                                                        }
+                                                                        let _e1166 = phi_1735_;
+                                                                        phi_1736_ = _e1166;
+                                                                        phi_1737_ = _e893;
+                                                                    }
+                                                                    let _e1168 = phi_1736_;
+                                                                    let _e1170 = phi_1737_;
+                                                                    phi_1741_ = _e1168;
+                                                                    phi_1742_ = _e1170;
+                                                                }
+                                                                let _e1172 = phi_1741_;
+                                                                let _e1174 = phi_1742_;
+                                                                phi_1743_ = _e1172;
+                                                                phi_1744_ = _e828;
+                                                                phi_1745_ = _e1174;
+                                                            }
+                                                            let _e1176 = phi_1743_;
+                                                            let _e1178 = phi_1744_;
+                                                            let _e1180 = phi_1745_;
+                                                            phi_1746_ = _e1176;
+                                                            phi_1747_ = _e1178;
+                                                            phi_1748_ = _e1180;
                                                         }
-                                                        let _e1003 = phi_1479_;
-                                                        let _e1005 = phi_1480_;
-                                                        phi_1484_ = _e1003;
-                                                        phi_1485_ = _e1005;
+                                                        let _e1182 = phi_1746_;
+                                                        let _e1184 = phi_1747_;
+                                                        let _e1186 = phi_1748_;
+                                                        phi_1756_ = _e1182;
+                                                        phi_1757_ = select(_e1186, true, _e1184);
                                                     } else {
-                                                        phi_1484_ = type_22();
-                                                        phi_1485_ = true;
+                                                        phi_1756_ = type_22();
+                                                        phi_1757_ = true;
                                                     }
-                                                    let _e1007 = phi_1484_;
-                                                    let _e1009 = phi_1485_;
-                                                    if _e1009 {
-                                                        phi_1489_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1189 = phi_1756_;
+                                                    let _e1191 = phi_1757_;
+                                                    if _e1191 {
+                                                        phi_1761_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1489_ = _e1007;
+                                                        phi_1761_ = _e1189;
                                                     }
-                                                    let _e1011 = phi_1489_;
-                                                    if (_e1011.member_3 != 4294967295u) {
-                                                        if (_e659 != _e84) {
-                                                            phi_1500_ = type_48(_e630.member, true);
+                                                    let _e1193 = phi_1761_;
+                                                    if (_e1193.member_3 != 4294967295u) {
+                                                        if (_e661 != _e86) {
+                                                            phi_1772_ = type_48(_e632.member, true);
                                                         } else {
-                                                            phi_1500_ = _e630;
+                                                            phi_1772_ = _e632;
                                                         }
-                                                        let _e1019 = phi_1500_;
-                                                        phi_1501_ = _e1019;
+                                                        let _e1201 = phi_1772_;
+                                                        phi_1773_ = _e1201;
                                                     } else {
-                                                        phi_1501_ = _e630;
+                                                        phi_1773_ = _e632;
                                                     }
-                                                    let _e1021 = phi_1501_;
-                                                    phi_778_ = _e1021;
+                                                    let _e1203 = phi_1773_;
+                                                    phi_783_ = _e1203;
                                                 } else {
-                                                    phi_778_ = type_48();
+                                                    phi_783_ = type_48();
                                                 }
-                                                let _e1023 = phi_778_;
+                                                let _e1205 = phi_783_;
                                                 continue;
                                                 continuing {
-                                                    phi_777_ = _e1023;
-                                                    phi_780_ = _e645;
-                                                    phi_2038_ = _e403;
-                                                    break if !(_e651);
+                                                    phi_782_ = _e1205;
+                                                    phi_785_ = _e647;
+                                                    phi_2310_ = _e405;
+                                                    break if !(_e653);
                                                 }
                                             }
-                                            let _e1026 = phi_2038_;
-                                            phi_2153_ = _e1026;
-                                            if _e1026 {
+                                            let _e1208 = phi_2310_;
+                                            phi_2453_ = _e1208;
+                                            if _e1208 {
                                                 break;
                                             }
-                                            let _e1028 = local_2;
-                                            phi_2157_ = _e1026;
-                                            let _e1194 = local_4;
-                                            phi_1957_ = _e1194;
-                                            phi_1958_ = _e428;
-                                            phi_1959_ = false;
-                                            phi_1960_ = select(_e432, 0u, _e1028.member_1);
+                                            let _e1210 = local_2;
+                                            phi_2457_ = _e1208;
+                                            let _e1393 = local_4;
+                                            phi_2229_ = _e1393;
+                                            phi_2230_ = _e430;
+                                            phi_2231_ = false;
+                                            phi_2232_ = select(_e434, 0u, _e1210.member_1);
                                         } else {
-                                            if (_e428 >= _e65) {
-                                                phi_1562_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
+                                            if (_e430 >= _e67) {
+                                                phi_1834_ = type_47(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u, 2147483648u);
                                             } else {
-                                                if (_e428 < _e65) {
+                                                if (_e430 < _e67) {
                                                 } else {
-                                                    phi_2153_ = true;
+                                                    phi_2453_ = true;
                                                     break;
                                                 }
-                                                let _e442 = (_e217 % 3u);
-                                                if (_e442 < 3u) {
+                                                let _e444 = (_e219 % 3u);
+                                                if (_e444 < 3u) {
                                                 } else {
-                                                    phi_2153_ = true;
+                                                    phi_2453_ = true;
                                                     break;
                                                 }
-                                                let _e448 = global_2.member[_e428].member[_e442];
-                                                let _e454 = (_e216 % 3u);
-                                                if (_e454 < 3u) {
+                                                let _e450 = global_2.member[_e430].member[_e444];
+                                                let _e456 = (_e218 % 3u);
+                                                if (_e456 < 3u) {
                                                 } else {
-                                                    phi_2153_ = true;
+                                                    phi_2453_ = true;
                                                     break;
                                                 }
-                                                let _e460 = global_2.member[_e428].member[_e454];
-                                                let _e466 = (_e218 % 3u);
-                                                if (_e466 < 3u) {
+                                                let _e462 = global_2.member[_e430].member[_e456];
+                                                let _e468 = (_e220 % 3u);
+                                                if (_e468 < 3u) {
                                                 } else {
-                                                    phi_2153_ = true;
+                                                    phi_2453_ = true;
                                                     break;
                                                 }
-                                                let _e472 = global_2.member[_e428].member[_e466];
-                                                let _e482 = global_2.member[_e428].member_1;
-                                                let _e486 = global_2.member[_e428].member_2;
-                                                phi_1562_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e448[0], _e448[1], _e448[2], _e448[3]), vec4<f32>(_e460[0], _e460[1], _e460[2], _e460[3]), vec4<f32>(_e472[0], _e472[1], _e472[2], _e472[3])), _e482, _e486);
+                                                let _e474 = global_2.member[_e430].member[_e468];
+                                                let _e484 = global_2.member[_e430].member_1;
+                                                let _e488 = global_2.member[_e430].member_2;
+                                                phi_1834_ = type_47(array<vec4<f32>, 3>(vec4<f32>(_e450[0], _e450[1], _e450[2], _e450[3]), vec4<f32>(_e462[0], _e462[1], _e462[2], _e462[3]), vec4<f32>(_e474[0], _e474[1], _e474[2], _e474[3])), _e484, _e488);
                                             }
-                                            let _e489 = phi_1562_;
-                                            let _e501 = ((_e489.member[0].x - _e272) * _e277);
-                                            let _e502 = ((_e489.member[0].y - _e272) * _e277);
-                                            let _e503 = ((_e489.member[0].z - _e273) * _e277);
-                                            let _e504 = ((_e489.member[0].w - _e273) * _e277);
-                                            let _e514 = ((_e489.member[1].x - _e308) * _e313);
-                                            let _e515 = ((_e489.member[1].y - _e308) * _e313);
-                                            let _e516 = ((_e489.member[1].z - _e309) * _e313);
-                                            let _e517 = ((_e489.member[1].w - _e309) * _e313);
-                                            let _e527 = ((_e489.member[2].x - _e344) * _e349);
-                                            let _e528 = ((_e489.member[2].y - _e344) * _e349);
-                                            let _e529 = ((_e489.member[2].z - _e345) * _e349);
-                                            let _e530 = ((_e489.member[2].w - _e345) * _e349);
-                                            let _e532 = select(_e529, _e527, (_e527 < _e529));
-                                            let _e534 = select(_e530, _e528, (_e528 < _e530));
-                                            let _e536 = select(_e529, _e527, (_e527 > _e529));
-                                            let _e538 = select(_e530, _e528, (_e528 > _e530));
-                                            let _e540 = select(_e503, _e501, (_e501 < _e503));
-                                            let _e542 = select(_e504, _e502, (_e502 < _e504));
-                                            let _e544 = select(_e516, _e514, (_e514 < _e516));
-                                            let _e546 = select(_e517, _e515, (_e515 < _e517));
-                                            let _e548 = select(_e544, _e540, (_e540 > _e544));
+                                            let _e491 = phi_1834_;
+                                            let _e503 = ((_e491.member[0].x - _e274) * _e279);
+                                            let _e504 = ((_e491.member[0].y - _e274) * _e279);
+                                            let _e505 = ((_e491.member[0].z - _e275) * _e279);
+                                            let _e506 = ((_e491.member[0].w - _e275) * _e279);
+                                            let _e516 = ((_e491.member[1].x - _e310) * _e315);
+                                            let _e517 = ((_e491.member[1].y - _e310) * _e315);
+                                            let _e518 = ((_e491.member[1].z - _e311) * _e315);
+                                            let _e519 = ((_e491.member[1].w - _e311) * _e315);
+                                            let _e529 = ((_e491.member[2].x - _e346) * _e351);
+                                            let _e530 = ((_e491.member[2].y - _e346) * _e351);
+                                            let _e531 = ((_e491.member[2].z - _e347) * _e351);
+                                            let _e532 = ((_e491.member[2].w - _e347) * _e351);
+                                            let _e534 = select(_e531, _e529, (_e529 < _e531));
+                                            let _e536 = select(_e532, _e530, (_e530 < _e532));
+                                            let _e538 = select(_e531, _e529, (_e529 > _e531));
+                                            let _e540 = select(_e532, _e530, (_e530 > _e532));
+                                            let _e542 = select(_e505, _e503, (_e503 < _e505));
+                                            let _e544 = select(_e506, _e504, (_e504 < _e506));
+                                            let _e546 = select(_e518, _e516, (_e516 < _e518));
+                                            let _e548 = select(_e519, _e517, (_e517 < _e519));
                                             let _e550 = select(_e546, _e542, (_e542 > _e546));
-                                            let _e552 = select(_e532, _e548, (_e548 > _e532));
+                                            let _e552 = select(_e548, _e544, (_e544 > _e548));
                                             let _e554 = select(_e534, _e550, (_e550 > _e534));
-                                            let _e556 = select(_e503, _e501, (_e501 > _e503));
-                                            let _e558 = select(_e504, _e502, (_e502 > _e504));
-                                            let _e560 = select(_e516, _e514, (_e514 > _e516));
-                                            let _e562 = select(_e517, _e515, (_e515 > _e517));
-                                            let _e564 = select(_e560, _e556, (_e556 < _e560));
+                                            let _e556 = select(_e536, _e552, (_e552 > _e536));
+                                            let _e558 = select(_e505, _e503, (_e503 > _e505));
+                                            let _e560 = select(_e506, _e504, (_e504 > _e506));
+                                            let _e562 = select(_e518, _e516, (_e516 > _e518));
+                                            let _e564 = select(_e519, _e517, (_e517 > _e519));
                                             let _e566 = select(_e562, _e558, (_e558 < _e562));
-                                            let _e571 = -(_e532);
-                                            let _e572 = -(_e534);
-                                            let _e579 = (select(_e536, _e564, (_e564 < _e536)) + (select(_e571, _e536, (_e536 > _e571)) * 0.0000019073523f));
-                                            let _e580 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e572, _e538, (_e538 > _e572)) * 0.0000019073523f));
-                                            let _e582 = select(_e395, _e552, (_e552 > _e395));
-                                            let _e584 = select(_e395, _e554, (_e554 > _e395));
-                                            let _e589 = (_e582 <= select(_e405.member, _e579, (_e579 < _e405.member)));
-                                            let _e590 = (_e584 <= select(_e405.member, _e580, (_e580 < _e405.member)));
-                                            let _e591 = (_e582 <= _e584);
-                                            if _e589 {
-                                                if _e590 {
-                                                    if _e591 {
-                                                        phi_1906_ = _e489.member_2;
+                                            let _e568 = select(_e564, _e560, (_e560 < _e564));
+                                            let _e573 = -(_e534);
+                                            let _e574 = -(_e536);
+                                            let _e581 = (select(_e538, _e566, (_e566 < _e538)) + (select(_e573, _e538, (_e538 > _e573)) * 0.0000019073523f));
+                                            let _e582 = (select(_e540, _e568, (_e568 < _e540)) + (select(_e574, _e540, (_e540 > _e574)) * 0.0000019073523f));
+                                            let _e584 = select(_e397, _e554, (_e554 > _e397));
+                                            let _e586 = select(_e397, _e556, (_e556 > _e397));
+                                            let _e591 = (_e584 <= select(_e407.member, _e581, (_e581 < _e407.member)));
+                                            let _e592 = (_e586 <= select(_e407.member, _e582, (_e582 < _e407.member)));
+                                            let _e593 = (_e584 <= _e586);
+                                            if _e591 {
+                                                if _e592 {
+                                                    if _e593 {
+                                                        phi_2178_ = _e491.member_2;
                                                     } else {
-                                                        phi_1906_ = _e489.member_1;
+                                                        phi_2178_ = _e491.member_1;
                                                     }
-                                                    let _e595 = phi_1906_;
-                                                    let _e598 = (_e432 % 128u);
-                                                    let _e599 = (_e598 < 128u);
-                                                    if _e599 {
+                                                    let _e597 = phi_2178_;
+                                                    let _e600 = (_e434 % 128u);
+                                                    let _e601 = (_e600 < 128u);
+                                                    if _e601 {
                                                     } else {
-                                                        phi_2153_ = true;
+                                                        phi_2453_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e598] = _e595;
-                                                    if _e599 {
+                                                    local_1[_e600] = _e597;
+                                                    if _e601 {
                                                     } else {
-                                                        phi_2153_ = true;
+                                                        phi_2453_ = true;
                                                         break;
                                                     }
-                                                    local[_e598] = select(_e584, _e582, (_e582 > _e584));
-                                                    if _e591 {
-                                                        phi_1934_ = _e489.member_1;
+                                                    local[_e600] = select(_e586, _e584, (_e584 > _e586));
+                                                    if _e593 {
+                                                        phi_2206_ = _e491.member_1;
                                                     } else {
-                                                        phi_1934_ = _e489.member_2;
+                                                        phi_2206_ = _e491.member_2;
                                                     }
-                                                    let _e606 = phi_1934_;
-                                                    phi_1935_ = _e606;
-                                                    phi_1936_ = (_e432 + 1u);
+                                                    let _e608 = phi_2206_;
+                                                    phi_2207_ = _e608;
+                                                    phi_2208_ = (_e434 + 1u);
                                                 } else {
-                                                    phi_1935_ = u32();
-                                                    phi_1936_ = u32();
+                                                    phi_2207_ = u32();
+                                                    phi_2208_ = u32();
                                                 }
-                                                let _e608 = phi_1935_;
-                                                let _e610 = phi_1936_;
-                                                phi_1938_ = _e608;
-                                                phi_1939_ = _e610;
-                                                phi_1940_ = select(true, false, _e590);
+                                                let _e610 = phi_2207_;
+                                                let _e612 = phi_2208_;
+                                                phi_2210_ = _e610;
+                                                phi_2211_ = _e612;
+                                                phi_2212_ = select(true, false, _e592);
                                             } else {
-                                                phi_1938_ = u32();
-                                                phi_1939_ = u32();
-                                                phi_1940_ = true;
+                                                phi_2210_ = u32();
+                                                phi_2211_ = u32();
+                                                phi_2212_ = true;
                                             }
-                                            let _e613 = phi_1938_;
-                                            let _e615 = phi_1939_;
-                                            let _e617 = phi_1940_;
-                                            if _e617 {
-                                                if _e589 {
-                                                    phi_1949_ = _e489.member_1;
+                                            let _e615 = phi_2210_;
+                                            let _e617 = phi_2211_;
+                                            let _e619 = phi_2212_;
+                                            if _e619 {
+                                                if _e591 {
+                                                    phi_2221_ = _e491.member_1;
                                                 } else {
-                                                    phi_1949_ = _e489.member_2;
+                                                    phi_2221_ = _e491.member_2;
                                                 }
-                                                let _e621 = phi_1949_;
-                                                phi_1954_ = _e621;
-                                                phi_1955_ = select(_e590, true, _e589);
+                                                let _e623 = phi_2221_;
+                                                phi_2226_ = _e623;
+                                                phi_2227_ = select(_e592, true, _e591);
                                             } else {
-                                                phi_1954_ = _e613;
-                                                phi_1955_ = _e430;
+                                                phi_2226_ = _e615;
+                                                phi_2227_ = _e432;
                                             }
-                                            let _e624 = phi_1954_;
-                                            let _e626 = phi_1955_;
-                                            phi_2157_ = _e403;
-                                            phi_1957_ = _e405;
-                                            phi_1958_ = _e624;
-                                            phi_1959_ = _e626;
-                                            phi_1960_ = select(_e615, _e432, _e617);
+                                            let _e626 = phi_2226_;
+                                            let _e628 = phi_2227_;
+                                            phi_2457_ = _e405;
+                                            phi_2229_ = _e407;
+                                            phi_2230_ = _e626;
+                                            phi_2231_ = _e628;
+                                            phi_2232_ = select(_e617, _e434, _e619);
                                         }
-                                        let _e1032 = phi_2157_;
-                                        let _e1034 = phi_1957_;
-                                        let _e1036 = phi_1958_;
-                                        let _e1038 = phi_1959_;
-                                        let _e1040 = phi_1960_;
-                                        phi_2156_ = _e1032;
-                                        phi_1961_ = _e1034;
-                                        phi_1962_ = _e1036;
-                                        phi_1963_ = (_e409 - 1u);
-                                        phi_1964_ = _e1038;
-                                        phi_1965_ = _e1040;
+                                        let _e1214 = phi_2457_;
+                                        let _e1216 = phi_2229_;
+                                        let _e1218 = phi_2230_;
+                                        let _e1220 = phi_2231_;
+                                        let _e1222 = phi_2232_;
+                                        phi_2456_ = _e1214;
+                                        phi_2233_ = _e1216;
+                                        phi_2234_ = _e1218;
+                                        phi_2235_ = (_e411 - 1u);
+                                        phi_2236_ = _e1220;
+                                        phi_2237_ = _e1222;
                                     } else {
-                                        phi_2156_ = _e403;
-                                        phi_1961_ = _e405;
-                                        phi_1962_ = _e428;
-                                        phi_1963_ = _e409;
-                                        phi_1964_ = _e430;
-                                        phi_1965_ = _e432;
+                                        phi_2456_ = _e405;
+                                        phi_2233_ = _e407;
+                                        phi_2234_ = _e430;
+                                        phi_2235_ = _e411;
+                                        phi_2236_ = _e432;
+                                        phi_2237_ = _e434;
                                     }
-                                    let _e1042 = phi_2156_;
-                                    let _e1044 = phi_1961_;
-                                    let _e1046 = phi_1962_;
-                                    let _e1048 = phi_1963_;
-                                    let _e1050 = phi_1964_;
-                                    let _e1052 = phi_1965_;
-                                    phi_2155_ = _e1042;
-                                    phi_1966_ = _e1044;
-                                    phi_1967_ = _e1046;
-                                    phi_1968_ = _e1048;
-                                    phi_1969_ = _e1050;
-                                    phi_1970_ = _e1052;
+                                    let _e1224 = phi_2456_;
+                                    let _e1226 = phi_2233_;
+                                    let _e1228 = phi_2234_;
+                                    let _e1230 = phi_2235_;
+                                    let _e1232 = phi_2236_;
+                                    let _e1234 = phi_2237_;
+                                    phi_2455_ = _e1224;
+                                    phi_2238_ = _e1226;
+                                    phi_2239_ = _e1228;
+                                    phi_2240_ = _e1230;
+                                    phi_2241_ = _e1232;
+                                    phi_2242_ = _e1234;
                                 } else {
-                                    phi_2155_ = _e403;
-                                    phi_1966_ = type_48();
-                                    phi_1967_ = u32();
-                                    phi_1968_ = u32();
-                                    phi_1969_ = bool();
-                                    phi_1970_ = u32();
+                                    phi_2455_ = _e405;
+                                    phi_2238_ = type_48();
+                                    phi_2239_ = u32();
+                                    phi_2240_ = u32();
+                                    phi_2241_ = bool();
+                                    phi_2242_ = u32();
                                 }
-                                let _e1054 = phi_2155_;
-                                let _e1056 = phi_1966_;
-                                let _e1058 = phi_1967_;
-                                let _e1060 = phi_1968_;
-                                let _e1062 = phi_1969_;
-                                let _e1064 = phi_1970_;
-                                phi_2154_ = _e1054;
-                                phi_709_ = _e1056;
-                                phi_712_ = _e1058;
-                                phi_714_ = _e1060;
-                                phi_716_ = _e1062;
-                                phi_718_ = _e1064;
-                                phi_1971_ = _e417;
+                                let _e1236 = phi_2455_;
+                                let _e1238 = phi_2238_;
+                                let _e1240 = phi_2239_;
+                                let _e1242 = phi_2240_;
+                                let _e1244 = phi_2241_;
+                                let _e1246 = phi_2242_;
+                                phi_2454_ = _e1236;
+                                phi_714_ = _e1238;
+                                phi_717_ = _e1240;
+                                phi_719_ = _e1242;
+                                phi_721_ = _e1244;
+                                phi_723_ = _e1246;
+                                phi_2243_ = _e419;
                             } else {
-                                phi_2154_ = _e403;
-                                phi_709_ = type_48();
-                                phi_712_ = u32();
-                                phi_714_ = u32();
-                                phi_716_ = bool();
-                                phi_718_ = u32();
-                                phi_1971_ = false;
+                                phi_2454_ = _e405;
+                                phi_714_ = type_48();
+                                phi_717_ = u32();
+                                phi_719_ = u32();
+                                phi_721_ = bool();
+                                phi_723_ = u32();
+                                phi_2243_ = false;
                             }
-                            let _e1066 = phi_2154_;
-                            let _e1068 = phi_709_;
-                            let _e1070 = phi_712_;
-                            let _e1072 = phi_714_;
-                            let _e1074 = phi_716_;
-                            let _e1076 = phi_718_;
-                            let _e1078 = phi_1971_;
+                            let _e1248 = phi_2454_;
+                            let _e1250 = phi_714_;
+                            let _e1252 = phi_717_;
+                            let _e1254 = phi_719_;
+                            let _e1256 = phi_721_;
+                            let _e1258 = phi_723_;
+                            let _e1260 = phi_2243_;
                             continue;
                             continuing {
-                                phi_2044_ = _e1066;
-                                phi_708_ = _e1068;
-                                phi_711_ = _e1070;
-                                phi_713_ = _e1072;
-                                phi_715_ = _e1074;
-                                phi_717_ = _e1076;
-                                phi_2153_ = _e1066;
-                                break if !(_e1078);
+                                phi_2316_ = _e1248;
+                                phi_713_ = _e1250;
+                                phi_716_ = _e1252;
+                                phi_718_ = _e1254;
+                                phi_720_ = _e1256;
+                                phi_722_ = _e1258;
+                                phi_2453_ = _e1248;
+                                break if !(_e1260);
                             }
                         }
-                        let _e1081 = phi_2153_;
-                        if _e1081 {
+                        let _e1263 = phi_2453_;
+                        if _e1263 {
                             break;
                         }
-                        let _e1083 = local_3;
-                        if _e1083.member_1 {
+                        let _e1265 = local_3;
+                        if _e1265.member_1 {
                         } else {
-                            if _e85 {
+                            if _e87 {
                             } else {
                                 break;
                             }
-                            let _e1087 = global_5.member[_e77];
-                            if _e78 {
+                            let _e1269 = global_5.member[_e79];
+                            if _e80 {
                             } else {
                                 break;
                             }
-                            let _e1091 = global_4.member[_e77].member_1;
-                            if _e85 {
+                            let _e1273 = global_4.member[_e79].member_1;
+                            if _e87 {
                             } else {
                                 break;
                             }
-                            global_5.member[_e77] = type_24(_e1087.member, _e1087.member_1, _e1087.member_2, array<f32, 3>((_e1087.member_3[0] + (_e1091[0] * _e1087.member_1[0])), (_e1087.member_3[1] + (_e1091[1] * _e1087.member_1[1])), (_e1087.member_3[2] + (_e1091[2] * _e1087.member_1[2]))), _e1087.member_4);
+                            global_5.member[_e79] = type_24(_e1269.member, _e1269.member_1, _e1269.member_2, array<f32, 3>((_e1269.member_3[0] + (_e1273[0] * _e1269.member_1[0])), (_e1269.member_3[1] + (_e1273[1] * _e1269.member_1[1])), (_e1269.member_3[2] + (_e1273[2] * _e1269.member_1[2]))), _e1269.member_4);
                         }
                     }
                 }

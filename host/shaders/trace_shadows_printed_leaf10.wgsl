@@ -134,432 +134,449 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<f32, 3>;
     var local_9: array<f32, 3>;
-    var phi_271_: u32;
-    var phi_315_: i32;
-    var phi_339_: type_36;
-    var phi_489_: i32;
-    var phi_490_: i32;
-    var phi_500_: bool;
-    var phi_510_: u32;
-    var phi_511_: u32;
-    var phi_513_: bool;
-    var phi_518_: u32;
-    var phi_550_: i32;
-    var phi_568_: f32;
-    var phi_574_: f32;
-    var phi_585_: f32;
-    var phi_591_: f32;
-    var phi_614_: f32;
-    var phi_625_: f32;
-    var phi_634_: f32;
-    var phi_640_: f32;
-    var phi_651_: f32;
-    var phi_657_: f32;
-    var phi_680_: f32;
-    var phi_691_: f32;
-    var phi_700_: f32;
-    var phi_706_: f32;
-    var phi_717_: f32;
-    var phi_723_: f32;
-    var phi_746_: f32;
-    var phi_757_: f32;
-    var phi_857_: f32;
-    var phi_858_: f32;
-    var phi_3321_: bool;
-    var phi_931_: type_40;
-    var phi_934_: type_62;
-    var phi_936_: u32;
-    var phi_938_: bool;
-    var phi_940_: u32;
-    var phi_951_: bool;
-    var phi_1037_: type_62;
-    var phi_1038_: bool;
-    var phi_1039_: u32;
-    var phi_2279_: type_49;
-    var phi_3111_: type_62;
-    var phi_3188_: type_62;
-    var phi_3189_: type_62;
-    var phi_3190_: u32;
-    var phi_3192_: type_62;
-    var phi_3193_: u32;
-    var phi_3194_: bool;
-    var phi_3201_: type_62;
-    var phi_3206_: type_62;
-    var phi_3207_: bool;
-    var phi_1058_: type_40;
-    var phi_1061_: type_8;
-    var phi_1062_: type_8;
-    var phi_1084_: type_8;
-    var phi_1109_: u32;
-    var phi_1125_: type_56;
-    var phi_1831_: vec3<f32>;
-    var phi_1832_: vec3<f32>;
-    var phi_1863_: bool;
-    var phi_1872_: vec3<f32>;
-    var phi_1912_: type_22;
-    var phi_1914_: type_22;
-    var phi_1915_: bool;
-    var phi_1919_: type_22;
-    var phi_1920_: type_22;
-    var phi_1921_: type_22;
-    var phi_1922_: bool;
-    var phi_1926_: type_22;
-    var phi_1927_: bool;
-    var phi_1931_: type_22;
-    var phi_1932_: bool;
-    var phi_1936_: type_22;
-    var phi_1959_: u32;
-    var phi_1973_: i32;
-    var phi_1989_: vec3<f32>;
-    var phi_1990_: vec3<f32>;
-    var phi_2002_: vec3<f32>;
-    var phi_2003_: vec3<f32>;
-    var phi_2015_: vec3<f32>;
-    var phi_2016_: vec3<f32>;
-    var phi_2052_: vec3<f32>;
-    var phi_2234_: f32;
-    var phi_2252_: bool;
-    var phi_2253_: bool;
-    var phi_2258_: type_40;
-    var phi_2259_: type_40;
-    var phi_1059_: type_40;
-    var phi_3315_: bool;
-    var local_10: type_40;
-    var phi_3475_: bool;
-    var phi_3209_: type_40;
-    var phi_3210_: type_62;
-    var phi_3211_: bool;
-    var phi_3212_: u32;
-    var phi_3474_: bool;
-    var phi_3213_: type_40;
-    var phi_3214_: type_62;
-    var phi_3215_: u32;
-    var phi_3216_: bool;
-    var phi_3217_: u32;
-    var phi_3473_: bool;
-    var phi_3218_: type_40;
-    var phi_3219_: type_62;
-    var phi_3220_: u32;
-    var phi_3221_: bool;
-    var phi_3222_: u32;
-    var phi_3472_: bool;
-    var phi_932_: type_40;
-    var phi_935_: type_62;
-    var phi_937_: u32;
-    var phi_939_: bool;
+    var phi_276_: u32;
+    var phi_320_: i32;
+    var phi_344_: type_36;
+    var phi_494_: i32;
+    var phi_495_: i32;
+    var phi_505_: bool;
+    var phi_515_: u32;
+    var phi_516_: u32;
+    var phi_518_: bool;
+    var phi_523_: u32;
+    var phi_555_: i32;
+    var phi_573_: f32;
+    var phi_579_: f32;
+    var phi_590_: f32;
+    var phi_596_: f32;
+    var phi_619_: f32;
+    var phi_630_: f32;
+    var phi_639_: f32;
+    var phi_645_: f32;
+    var phi_656_: f32;
+    var phi_662_: f32;
+    var phi_685_: f32;
+    var phi_696_: f32;
+    var phi_705_: f32;
+    var phi_711_: f32;
+    var phi_722_: f32;
+    var phi_728_: f32;
+    var phi_751_: f32;
+    var phi_762_: f32;
+    var phi_862_: f32;
+    var phi_863_: f32;
+    var phi_3593_: bool;
+    var phi_936_: type_40;
+    var phi_939_: type_62;
     var phi_941_: u32;
-    var phi_3223_: bool;
-    var phi_3471_: bool;
+    var phi_943_: bool;
+    var phi_945_: u32;
+    var phi_956_: bool;
+    var phi_1042_: type_62;
+    var phi_1043_: bool;
+    var phi_1044_: u32;
+    var phi_2551_: type_49;
+    var phi_3383_: type_62;
+    var phi_3460_: type_62;
+    var phi_3461_: type_62;
+    var phi_3462_: u32;
+    var phi_3464_: type_62;
+    var phi_3465_: u32;
+    var phi_3466_: bool;
+    var phi_3473_: type_62;
+    var phi_3478_: type_62;
+    var phi_3479_: bool;
+    var phi_1063_: type_40;
+    var phi_1066_: type_8;
+    var phi_1067_: type_8;
+    var phi_1089_: type_8;
+    var phi_1114_: u32;
+    var phi_1130_: type_56;
+    var phi_1506_: bool;
+    var phi_1535_: bool;
+    var phi_1912_: f32;
+    var phi_1913_: f32;
+    var phi_1914_: f32;
+    var phi_1915_: f32;
+    var phi_1916_: vec3<f32>;
+    var phi_1917_: vec3<f32>;
+    var phi_1918_: vec3<f32>;
+    var phi_1919_: vec3<f32>;
+    var phi_1950_: bool;
+    var phi_1959_: vec3<f32>;
+    var phi_2126_: bool;
+    var phi_2150_: f32;
+    var phi_2151_: f32;
+    var phi_2174_: type_22;
+    var phi_2176_: type_22;
+    var phi_2177_: bool;
+    var phi_2181_: type_22;
+    var phi_2182_: type_22;
+    var phi_2183_: type_22;
+    var phi_2184_: bool;
+    var phi_2188_: type_22;
+    var phi_2189_: bool;
+    var phi_2190_: type_22;
+    var phi_2191_: bool;
+    var phi_2192_: bool;
+    var phi_2193_: type_22;
+    var phi_2194_: bool;
+    var phi_2195_: bool;
+    var phi_2203_: type_22;
+    var phi_2204_: bool;
+    var phi_2208_: type_22;
+    var phi_2231_: u32;
+    var phi_2245_: i32;
+    var phi_2261_: vec3<f32>;
+    var phi_2262_: vec3<f32>;
+    var phi_2274_: vec3<f32>;
+    var phi_2275_: vec3<f32>;
+    var phi_2287_: vec3<f32>;
+    var phi_2288_: vec3<f32>;
+    var phi_2324_: vec3<f32>;
+    var phi_2506_: f32;
+    var phi_2524_: bool;
+    var phi_2525_: bool;
+    var phi_2530_: type_40;
+    var phi_2531_: type_40;
+    var phi_1064_: type_40;
+    var phi_3587_: bool;
+    var local_10: type_40;
+    var phi_3775_: bool;
+    var phi_3481_: type_40;
+    var phi_3482_: type_62;
+    var phi_3483_: bool;
+    var phi_3484_: u32;
+    var phi_3774_: bool;
+    var phi_3485_: type_40;
+    var phi_3486_: type_62;
+    var phi_3487_: u32;
+    var phi_3488_: bool;
+    var phi_3489_: u32;
+    var phi_3773_: bool;
+    var phi_3490_: type_40;
+    var phi_3491_: type_62;
+    var phi_3492_: u32;
+    var phi_3493_: bool;
+    var phi_3494_: u32;
+    var phi_3772_: bool;
+    var phi_937_: type_40;
+    var phi_940_: type_62;
+    var phi_942_: u32;
+    var phi_944_: bool;
+    var phi_946_: u32;
+    var phi_3495_: bool;
+    var phi_3771_: bool;
     var local_11: type_40;
     var local_12: type_40;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e83 = global;
-            let _e86 = arrayLength((&global_9.member));
-            let _e101 = arrayLength((&global_7.member));
-            let _e105 = global_4.member[0u][0u];
-            let _e109 = global_4.member[0u][1u];
-            let _e113 = global_4.member[0u][2u];
-            let _e117 = global_4.member[1u][0u];
-            let _e121 = global_4.member[1u][1u];
-            let _e125 = global_4.member[1u][2u];
-            let _e129 = global_4.member[1u][3u];
-            let _e133 = (_e83.x + (_e83.y * 2097152u));
-            let _e140 = (_e133 < arrayLength((&global_8.member)));
-            if _e140 {
-                if _e140 {
+            let _e85 = global;
+            let _e88 = arrayLength((&global_9.member));
+            let _e103 = arrayLength((&global_7.member));
+            let _e107 = global_4.member[0u][0u];
+            let _e111 = global_4.member[0u][1u];
+            let _e115 = global_4.member[0u][2u];
+            let _e119 = global_4.member[1u][0u];
+            let _e123 = global_4.member[1u][1u];
+            let _e127 = global_4.member[1u][2u];
+            let _e131 = global_4.member[1u][3u];
+            let _e135 = (_e85.x + (_e85.y * 2097152u));
+            let _e142 = (_e135 < arrayLength((&global_8.member)));
+            if _e142 {
+                if _e142 {
                 } else {
                     break;
                 }
-                let _e144 = global_8.member[_e133].member_2;
-                phi_271_ = _e144;
+                let _e146 = global_8.member[_e135].member_2;
+                phi_276_ = _e146;
             } else {
-                phi_271_ = 4294967295u;
+                phi_276_ = 4294967295u;
             }
-            let _e146 = phi_271_;
-            let _e149 = global_1.member[0u];
-            let _e153 = global_3.member[0u][0u];
-            let _e157 = global_3.member[0u][1u];
-            let _e161 = global_3.member[0u][2u];
-            let _e165 = global_3.member[0u][3u];
-            let _e169 = global_3.member[1u][0u];
-            let _e173 = global_3.member[1u][1u];
-            let _e177 = global_3.member[1u][2u];
-            let _e181 = global_3.member[1u][3u];
-            let _e182 = bitcast<f32>(_e153);
-            let _e183 = bitcast<f32>(_e157);
-            let _e184 = bitcast<f32>(_e161);
-            let _e186 = bitcast<f32>(_e169);
-            let _e187 = array<u32, 3>(_e173, _e177, _e181);
-            let _e189 = bitcast<i32>(_e149);
-            if (_e189 < -126i) {
-                phi_315_ = -126i;
+            let _e148 = phi_276_;
+            let _e151 = global_1.member[0u];
+            let _e155 = global_3.member[0u][0u];
+            let _e159 = global_3.member[0u][1u];
+            let _e163 = global_3.member[0u][2u];
+            let _e167 = global_3.member[0u][3u];
+            let _e171 = global_3.member[1u][0u];
+            let _e175 = global_3.member[1u][1u];
+            let _e179 = global_3.member[1u][2u];
+            let _e183 = global_3.member[1u][3u];
+            let _e184 = bitcast<f32>(_e155);
+            let _e185 = bitcast<f32>(_e159);
+            let _e186 = bitcast<f32>(_e163);
+            let _e188 = bitcast<f32>(_e171);
+            let _e189 = array<u32, 3>(_e175, _e179, _e183);
+            let _e191 = bitcast<i32>(_e151);
+            if (_e191 < -126i) {
+                phi_320_ = -126i;
             } else {
-                phi_315_ = select(_e189, 127i, (_e189 > 127i));
+                phi_320_ = select(_e191, 127i, (_e191 > 127i));
             }
-            let _e194 = phi_315_;
-            let _e199 = bitcast<f32>((bitcast<u32>((_e194 + 127i)) << bitcast<u32>(23i)));
-            let _e205 = bitcast<f32>((bitcast<u32>(((_e189 - _e194) + 127i)) << bitcast<u32>(23i)));
-            if (_e165 == 0u) {
-                phi_339_ = type_36(array<f32, 3>(_e182, _e183, _e184), _e165, _e186, _e187);
+            let _e196 = phi_320_;
+            let _e201 = bitcast<f32>((bitcast<u32>((_e196 + 127i)) << bitcast<u32>(23i)));
+            let _e207 = bitcast<f32>((bitcast<u32>(((_e191 - _e196) + 127i)) << bitcast<u32>(23i)));
+            if (_e167 == 0u) {
+                phi_344_ = type_36(array<f32, 3>(_e184, _e185, _e186), _e167, _e188, _e189);
             } else {
-                phi_339_ = type_36(array<f32, 3>(((_e182 * _e199) * _e205), ((_e183 * _e199) * _e205), ((_e184 * _e199) * _e205)), _e165, ((_e186 * _e199) * _e205), _e187);
+                phi_344_ = type_36(array<f32, 3>(((_e184 * _e201) * _e207), ((_e185 * _e201) * _e207), ((_e186 * _e201) * _e207)), _e167, ((_e188 * _e201) * _e207), _e189);
             }
-            let _e218 = phi_339_;
-            if _e140 {
-                let _e219 = (_e133 < arrayLength((&global_2.member)));
-                if _e219 {
-                    if _e140 {
+            let _e220 = phi_344_;
+            if _e142 {
+                let _e221 = (_e135 < arrayLength((&global_2.member)));
+                if _e221 {
+                    if _e142 {
                     } else {
                         break;
                     }
-                    let _e224 = global_8.member[_e133].member.member_1;
-                    let _e229 = global_8.member[_e133].member.member_3;
-                    if (_e224 <= _e229) {
-                        let _e231 = (1u < _e101);
-                        if _e231 {
-                            if (0u < _e101) {
+                    let _e226 = global_8.member[_e135].member.member_1;
+                    let _e231 = global_8.member[_e135].member.member_3;
+                    if (_e226 <= _e231) {
+                        let _e233 = (1u < _e103);
+                        if _e233 {
+                            if (0u < _e103) {
                             } else {
                                 break;
                             }
-                            let _e235 = atomicAdd((&global_7.member[0u]), 1u);
-                            if ((_e235 + 1u) < _e235) {
-                                if _e231 {
+                            let _e237 = atomicAdd((&global_7.member[0u]), 1u);
+                            if ((_e237 + 1u) < _e237) {
+                                if _e233 {
                                 } else {
                                     break;
                                 }
-                                let _e240 = atomicAdd((&global_7.member[1u]), 1u);
+                                let _e242 = atomicAdd((&global_7.member[1u]), 1u);
                             }
                         }
-                        if _e140 {
+                        if _e142 {
                         } else {
                             break;
                         }
-                        let _e250 = global_8.member[_e133].member.member_2[0u];
-                        let _e252 = (bitcast<u32>(_e250) & 2147483647u);
-                        let _e258 = global_8.member[_e133].member.member_2[1u];
-                        let _e260 = (bitcast<u32>(_e258) & 2147483647u);
-                        let _e266 = global_8.member[_e133].member.member_2[2u];
-                        let _e268 = (bitcast<u32>(_e266) & 2147483647u);
-                        let _e274 = global_8.member[_e133].member.member[0u];
-                        let _e276 = (bitcast<u32>(_e274) & 2147483647u);
-                        let _e282 = global_8.member[_e133].member.member[1u];
-                        let _e284 = (bitcast<u32>(_e282) & 2147483647u);
-                        let _e290 = global_8.member[_e133].member.member[2u];
-                        let _e292 = (bitcast<u32>(_e290) & 2147483647u);
-                        let _e294 = select(_e260, _e252, (_e260 < _e252));
-                        let _e296 = select(_e268, _e294, (_e268 < _e294));
-                        let _e298 = select(_e276, _e296, (_e276 < _e296));
-                        let _e300 = select(_e284, _e298, (_e284 < _e298));
-                        let _e302 = select(_e292, _e300, (_e292 < _e300));
-                        let _e304 = (bitcast<u32>(_e224) & 2147483647u);
-                        let _e313 = (((select(_e304, _e302, (_e304 < _e302)) < 2139095040u) && ((bitcast<u32>(_e229) & 2147483647u) <= 2139095040u)) && (_e296 > 0u));
-                        if _e313 {
-                            let _e316 = (bitcast<u32>(bitcast<f32>(_e296)) & 2147483647u);
-                            if (_e316 >= 8388608u) {
-                                phi_489_ = (bitcast<i32>((_e316 >> bitcast<u32>(23i))) - 127i);
+                        let _e252 = global_8.member[_e135].member.member_2[0u];
+                        let _e254 = (bitcast<u32>(_e252) & 2147483647u);
+                        let _e260 = global_8.member[_e135].member.member_2[1u];
+                        let _e262 = (bitcast<u32>(_e260) & 2147483647u);
+                        let _e268 = global_8.member[_e135].member.member_2[2u];
+                        let _e270 = (bitcast<u32>(_e268) & 2147483647u);
+                        let _e276 = global_8.member[_e135].member.member[0u];
+                        let _e278 = (bitcast<u32>(_e276) & 2147483647u);
+                        let _e284 = global_8.member[_e135].member.member[1u];
+                        let _e286 = (bitcast<u32>(_e284) & 2147483647u);
+                        let _e292 = global_8.member[_e135].member.member[2u];
+                        let _e294 = (bitcast<u32>(_e292) & 2147483647u);
+                        let _e296 = select(_e262, _e254, (_e262 < _e254));
+                        let _e298 = select(_e270, _e296, (_e270 < _e296));
+                        let _e300 = select(_e278, _e298, (_e278 < _e298));
+                        let _e302 = select(_e286, _e300, (_e286 < _e300));
+                        let _e304 = select(_e294, _e302, (_e294 < _e302));
+                        let _e306 = (bitcast<u32>(_e226) & 2147483647u);
+                        let _e315 = (((select(_e306, _e304, (_e306 < _e304)) < 2139095040u) && ((bitcast<u32>(_e231) & 2147483647u) <= 2139095040u)) && (_e298 > 0u));
+                        if _e315 {
+                            let _e318 = (bitcast<u32>(bitcast<f32>(_e298)) & 2147483647u);
+                            if (_e318 >= 8388608u) {
+                                phi_494_ = (bitcast<i32>((_e318 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_489_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e316)), 32u, (_e316 == 0u))));
+                                phi_494_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e318)), 32u, (_e318 == 0u))));
                             }
-                            let _e330 = phi_489_;
-                            phi_490_ = _e330;
+                            let _e332 = phi_494_;
+                            phi_495_ = _e332;
                         } else {
-                            phi_490_ = 0i;
+                            phi_495_ = 0i;
                         }
-                        let _e332 = phi_490_;
-                        let _e333 = (_e252 == _e296);
-                        if _e333 {
-                            phi_500_ = true;
+                        let _e334 = phi_495_;
+                        let _e335 = (_e254 == _e298);
+                        if _e335 {
+                            phi_505_ = true;
                         } else {
-                            phi_500_ = (_e260 == _e296);
+                            phi_505_ = (_e262 == _e298);
                         }
-                        let _e336 = phi_500_;
-                        let _e337 = select(1u, 0u, _e333);
-                        if _e336 {
-                            let _e338 = (_e337 + 1u);
-                            phi_510_ = _e338;
-                            phi_511_ = _e338;
-                            phi_513_ = select(true, false, (_e338 == 2u));
+                        let _e338 = phi_505_;
+                        let _e339 = select(1u, 0u, _e335);
+                        if _e338 {
+                            let _e340 = (_e339 + 1u);
+                            phi_515_ = _e340;
+                            phi_516_ = _e340;
+                            phi_518_ = select(true, false, (_e340 == 2u));
                         } else {
-                            phi_510_ = u32();
-                            phi_511_ = 0u;
-                            phi_513_ = true;
+                            phi_515_ = u32();
+                            phi_516_ = 0u;
+                            phi_518_ = true;
                         }
-                        let _e342 = phi_510_;
-                        let _e344 = phi_511_;
-                        let _e346 = phi_513_;
-                        if _e346 {
-                            phi_518_ = (_e344 + 1u);
+                        let _e344 = phi_515_;
+                        let _e346 = phi_516_;
+                        let _e348 = phi_518_;
+                        if _e348 {
+                            phi_523_ = (_e346 + 1u);
                         } else {
-                            phi_518_ = 0u;
+                            phi_523_ = 0u;
                         }
-                        let _e350 = phi_518_;
-                        let _e351 = select(_e342, _e344, _e346);
-                        let _e352 = select(_e337, select(2u, _e337, _e336), _e346);
-                        let _e353 = -(_e332);
-                        if (_e353 < -126i) {
-                            phi_550_ = -126i;
+                        let _e352 = phi_523_;
+                        let _e353 = select(_e344, _e346, _e348);
+                        let _e354 = select(_e339, select(2u, _e339, _e338), _e348);
+                        let _e355 = -(_e334);
+                        if (_e355 < -126i) {
+                            phi_555_ = -126i;
                         } else {
-                            phi_550_ = select(_e353, 127i, (_e353 > 127i));
+                            phi_555_ = select(_e355, 127i, (_e355 > 127i));
                         }
-                        let _e358 = phi_550_;
-                        let _e363 = bitcast<f32>((bitcast<u32>((_e358 + 127i)) << bitcast<u32>(23i)));
-                        let _e369 = bitcast<f32>((bitcast<u32>(((_e353 - _e358) + 127i)) << bitcast<u32>(23i)));
-                        let _e374 = global_8.member[_e133].member.member;
-                        let _e375 = (_e351 == 0u);
-                        if _e375 {
-                            phi_568_ = _e374[0];
+                        let _e360 = phi_555_;
+                        let _e365 = bitcast<f32>((bitcast<u32>((_e360 + 127i)) << bitcast<u32>(23i)));
+                        let _e371 = bitcast<f32>((bitcast<u32>(((_e355 - _e360) + 127i)) << bitcast<u32>(23i)));
+                        let _e376 = global_8.member[_e135].member.member;
+                        let _e377 = (_e353 == 0u);
+                        if _e377 {
+                            phi_573_ = _e376[0];
                         } else {
-                            phi_568_ = _e374[1];
+                            phi_573_ = _e376[1];
                         }
-                        let _e379 = phi_568_;
-                        let _e380 = (_e351 == 2u);
-                        if _e380 {
-                            phi_574_ = _e374[2];
+                        let _e381 = phi_573_;
+                        let _e382 = (_e353 == 2u);
+                        if _e382 {
+                            phi_579_ = _e376[2];
                         } else {
-                            phi_574_ = _e379;
+                            phi_579_ = _e381;
                         }
-                        let _e383 = phi_574_;
-                        let _e384 = global_8.member[_e133].member.member_2;
-                        if _e375 {
-                            phi_585_ = _e384[0];
+                        let _e385 = phi_579_;
+                        let _e386 = global_8.member[_e135].member.member_2;
+                        if _e377 {
+                            phi_590_ = _e386[0];
                         } else {
-                            phi_585_ = _e384[1];
+                            phi_590_ = _e386[1];
                         }
-                        let _e388 = phi_585_;
-                        if _e380 {
-                            phi_591_ = _e384[2];
+                        let _e390 = phi_590_;
+                        if _e382 {
+                            phi_596_ = _e386[2];
                         } else {
-                            phi_591_ = _e388;
+                            phi_596_ = _e390;
                         }
-                        let _e391 = phi_591_;
-                        let _e393 = ((_e391 * _e363) * _e369);
-                        let _e397 = (bitcast<f32>((bitcast<u32>(_e393) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e397 {
-                            let _e401 = (bitcast<f32>((bitcast<u32>(_e383) & 2147483647u)) * 0.00000011920929f);
-                            phi_614_ = select(0.00000000000011368684f, _e401, (_e401 > 0.00000000000011368684f));
+                        let _e393 = phi_596_;
+                        let _e395 = ((_e393 * _e365) * _e371);
+                        let _e399 = (bitcast<f32>((bitcast<u32>(_e395) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e399 {
+                            let _e403 = (bitcast<f32>((bitcast<u32>(_e385) & 2147483647u)) * 0.00000011920929f);
+                            phi_619_ = select(0.00000000000011368684f, _e403, (_e403 > 0.00000000000011368684f));
                         } else {
-                            phi_614_ = 0f;
+                            phi_619_ = 0f;
                         }
-                        let _e405 = phi_614_;
-                        let _e406 = (_e383 + _e405);
-                        let _e407 = (_e383 - _e405);
-                        let _e408 = select(_e393, 0f, _e397);
-                        if _e397 {
-                            phi_625_ = 38685626000000000000000000f;
+                        let _e407 = phi_619_;
+                        let _e408 = (_e385 + _e407);
+                        let _e409 = (_e385 - _e407);
+                        let _e410 = select(_e395, 0f, _e399);
+                        if _e399 {
+                            phi_630_ = 38685626000000000000000000f;
                         } else {
-                            phi_625_ = (1f / _e393);
+                            phi_630_ = (1f / _e395);
                         }
-                        let _e411 = phi_625_;
-                        let _e412 = (_e350 == 0u);
-                        if _e412 {
-                            phi_634_ = _e374[0];
+                        let _e413 = phi_630_;
+                        let _e414 = (_e352 == 0u);
+                        if _e414 {
+                            phi_639_ = _e376[0];
                         } else {
-                            phi_634_ = _e374[1];
+                            phi_639_ = _e376[1];
                         }
-                        let _e416 = phi_634_;
-                        let _e417 = (_e350 == 2u);
-                        if _e417 {
-                            phi_640_ = _e374[2];
+                        let _e418 = phi_639_;
+                        let _e419 = (_e352 == 2u);
+                        if _e419 {
+                            phi_645_ = _e376[2];
                         } else {
-                            phi_640_ = _e416;
+                            phi_645_ = _e418;
                         }
-                        let _e420 = phi_640_;
-                        if _e412 {
-                            phi_651_ = _e384[0];
+                        let _e422 = phi_645_;
+                        if _e414 {
+                            phi_656_ = _e386[0];
                         } else {
-                            phi_651_ = _e384[1];
+                            phi_656_ = _e386[1];
                         }
-                        let _e424 = phi_651_;
-                        if _e417 {
-                            phi_657_ = _e384[2];
+                        let _e426 = phi_656_;
+                        if _e419 {
+                            phi_662_ = _e386[2];
                         } else {
-                            phi_657_ = _e424;
+                            phi_662_ = _e426;
                         }
-                        let _e427 = phi_657_;
-                        let _e429 = ((_e427 * _e363) * _e369);
-                        let _e433 = (bitcast<f32>((bitcast<u32>(_e429) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e433 {
-                            let _e437 = (bitcast<f32>((bitcast<u32>(_e420) & 2147483647u)) * 0.00000011920929f);
-                            phi_680_ = select(0.00000000000011368684f, _e437, (_e437 > 0.00000000000011368684f));
+                        let _e429 = phi_662_;
+                        let _e431 = ((_e429 * _e365) * _e371);
+                        let _e435 = (bitcast<f32>((bitcast<u32>(_e431) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e435 {
+                            let _e439 = (bitcast<f32>((bitcast<u32>(_e422) & 2147483647u)) * 0.00000011920929f);
+                            phi_685_ = select(0.00000000000011368684f, _e439, (_e439 > 0.00000000000011368684f));
                         } else {
-                            phi_680_ = 0f;
+                            phi_685_ = 0f;
                         }
-                        let _e441 = phi_680_;
-                        let _e442 = (_e420 + _e441);
-                        let _e443 = (_e420 - _e441);
-                        let _e444 = select(_e429, 0f, _e433);
-                        if _e433 {
-                            phi_691_ = 38685626000000000000000000f;
+                        let _e443 = phi_685_;
+                        let _e444 = (_e422 + _e443);
+                        let _e445 = (_e422 - _e443);
+                        let _e446 = select(_e431, 0f, _e435);
+                        if _e435 {
+                            phi_696_ = 38685626000000000000000000f;
                         } else {
-                            phi_691_ = (1f / _e429);
+                            phi_696_ = (1f / _e431);
                         }
-                        let _e447 = phi_691_;
-                        let _e448 = (_e352 == 0u);
-                        if _e448 {
-                            phi_700_ = _e374[0];
+                        let _e449 = phi_696_;
+                        let _e450 = (_e354 == 0u);
+                        if _e450 {
+                            phi_705_ = _e376[0];
                         } else {
-                            phi_700_ = _e374[1];
+                            phi_705_ = _e376[1];
                         }
-                        let _e452 = phi_700_;
-                        let _e453 = (_e352 == 2u);
-                        if _e453 {
-                            phi_706_ = _e374[2];
+                        let _e454 = phi_705_;
+                        let _e455 = (_e354 == 2u);
+                        if _e455 {
+                            phi_711_ = _e376[2];
                         } else {
-                            phi_706_ = _e452;
+                            phi_711_ = _e454;
                         }
-                        let _e456 = phi_706_;
-                        if _e448 {
-                            phi_717_ = _e384[0];
+                        let _e458 = phi_711_;
+                        if _e450 {
+                            phi_722_ = _e386[0];
                         } else {
-                            phi_717_ = _e384[1];
+                            phi_722_ = _e386[1];
                         }
-                        let _e460 = phi_717_;
-                        if _e453 {
-                            phi_723_ = _e384[2];
+                        let _e462 = phi_722_;
+                        if _e455 {
+                            phi_728_ = _e386[2];
                         } else {
-                            phi_723_ = _e460;
+                            phi_728_ = _e462;
                         }
-                        let _e463 = phi_723_;
-                        let _e465 = ((_e463 * _e363) * _e369);
-                        let _e469 = (bitcast<f32>((bitcast<u32>(_e465) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e469 {
-                            let _e473 = (bitcast<f32>((bitcast<u32>(_e456) & 2147483647u)) * 0.00000011920929f);
-                            phi_746_ = select(0.00000000000011368684f, _e473, (_e473 > 0.00000000000011368684f));
+                        let _e465 = phi_728_;
+                        let _e467 = ((_e465 * _e365) * _e371);
+                        let _e471 = (bitcast<f32>((bitcast<u32>(_e467) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e471 {
+                            let _e475 = (bitcast<f32>((bitcast<u32>(_e458) & 2147483647u)) * 0.00000011920929f);
+                            phi_751_ = select(0.00000000000011368684f, _e475, (_e475 > 0.00000000000011368684f));
                         } else {
-                            phi_746_ = 0f;
+                            phi_751_ = 0f;
                         }
-                        let _e477 = phi_746_;
-                        let _e478 = (_e456 + _e477);
-                        let _e479 = (_e456 - _e477);
-                        let _e480 = select(_e465, 0f, _e469);
-                        if _e469 {
-                            phi_757_ = 38685626000000000000000000f;
+                        let _e479 = phi_751_;
+                        let _e480 = (_e458 + _e479);
+                        let _e481 = (_e458 - _e479);
+                        let _e482 = select(_e467, 0f, _e471);
+                        if _e471 {
+                            phi_762_ = 38685626000000000000000000f;
                         } else {
-                            phi_757_ = (1f / _e465);
+                            phi_762_ = (1f / _e467);
                         }
-                        let _e483 = phi_757_;
-                        let _e486 = bitcast<f32>((bitcast<u32>(_e383) & 2147483647u));
-                        let _e489 = bitcast<f32>((bitcast<u32>(_e420) & 2147483647u));
-                        let _e491 = select(_e489, _e486, (_e486 > _e489));
-                        let _e494 = bitcast<f32>((bitcast<u32>(_e456) & 2147483647u));
-                        if (_e313 && (select(_e494, _e491, (_e491 > _e494)) <= 1099511600000f)) {
-                            let _e499 = (_e332 / 3i);
-                            let _e506 = bitcast<f32>((bitcast<u32>((_e499 + 127i)) << bitcast<u32>(23i)));
-                            let _e513 = bitcast<f32>((bitcast<u32>(((_e332 - (2i * _e499)) + 127i)) << bitcast<u32>(23i)));
-                            let _e514 = (((_e224 * _e506) * _e506) * _e513);
-                            let _e516 = select(340282350000000000000000000000000000000f, _e514, (_e514 < 340282350000000000000000000000000000000f));
-                            let _e521 = (((_e229 * _e506) * _e506) * _e513);
-                            let _e523 = select(340282350000000000000000000000000000000f, _e521, (_e521 < 340282350000000000000000000000000000000f));
-                            phi_857_ = select(-340282350000000000000000000000000000000f, _e523, (_e523 > -340282350000000000000000000000000000000f));
-                            phi_858_ = select(-340282350000000000000000000000000000000f, _e516, (_e516 > -340282350000000000000000000000000000000f));
+                        let _e485 = phi_762_;
+                        let _e488 = bitcast<f32>((bitcast<u32>(_e385) & 2147483647u));
+                        let _e491 = bitcast<f32>((bitcast<u32>(_e422) & 2147483647u));
+                        let _e493 = select(_e491, _e488, (_e488 > _e491));
+                        let _e496 = bitcast<f32>((bitcast<u32>(_e458) & 2147483647u));
+                        if (_e315 && (select(_e496, _e493, (_e493 > _e496)) <= 1099511600000f)) {
+                            let _e501 = (_e334 / 3i);
+                            let _e508 = bitcast<f32>((bitcast<u32>((_e501 + 127i)) << bitcast<u32>(23i)));
+                            let _e515 = bitcast<f32>((bitcast<u32>(((_e334 - (2i * _e501)) + 127i)) << bitcast<u32>(23i)));
+                            let _e516 = (((_e226 * _e508) * _e508) * _e515);
+                            let _e518 = select(340282350000000000000000000000000000000f, _e516, (_e516 < 340282350000000000000000000000000000000f));
+                            let _e523 = (((_e231 * _e508) * _e508) * _e515);
+                            let _e525 = select(340282350000000000000000000000000000000f, _e523, (_e523 < 340282350000000000000000000000000000000f));
+                            phi_862_ = select(-340282350000000000000000000000000000000f, _e525, (_e525 > -340282350000000000000000000000000000000f));
+                            phi_863_ = select(-340282350000000000000000000000000000000f, _e518, (_e518 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_857_ = 0f;
-                            phi_858_ = 1f;
+                            phi_862_ = 0f;
+                            phi_863_ = 1f;
                         }
-                        let _e527 = phi_857_;
-                        let _e529 = phi_858_;
+                        let _e529 = phi_862_;
+                        let _e531 = phi_863_;
                         local_6 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_5 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_4 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -568,830 +585,938 @@ fn function_() {
                         local_1 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        local_9 = array<f32, 3>(bitcast<f32>(_e105), bitcast<f32>(_e109), bitcast<f32>(_e113));
-                        let _e534 = (_e351 % 3u);
-                        let _e535 = (_e534 < 3u);
-                        if _e535 {
+                        local_9 = array<f32, 3>(bitcast<f32>(_e107), bitcast<f32>(_e111), bitcast<f32>(_e115));
+                        let _e536 = (_e353 % 3u);
+                        let _e537 = (_e536 < 3u);
+                        if _e537 {
                         } else {
                             break;
                         }
-                        let _e537 = local_9[_e534];
-                        let _e538 = (_e350 % 3u);
-                        let _e539 = (_e538 < 3u);
-                        if _e539 {
+                        let _e539 = local_9[_e536];
+                        let _e540 = (_e352 % 3u);
+                        let _e541 = (_e540 < 3u);
+                        if _e541 {
                         } else {
                             break;
                         }
-                        let _e541 = local_9[_e538];
-                        let _e542 = (_e352 % 3u);
-                        let _e543 = (_e542 < 3u);
-                        if _e543 {
+                        let _e543 = local_9[_e540];
+                        let _e544 = (_e354 % 3u);
+                        let _e545 = (_e544 < 3u);
+                        if _e545 {
                         } else {
                             break;
                         }
-                        let _e545 = local_9[_e542];
-                        local_8 = array<f32, 3>(bitcast<f32>(_e117), bitcast<f32>(_e121), bitcast<f32>(_e125));
-                        if _e535 {
+                        let _e547 = local_9[_e544];
+                        local_8 = array<f32, 3>(bitcast<f32>(_e119), bitcast<f32>(_e123), bitcast<f32>(_e127));
+                        if _e537 {
                         } else {
                             break;
                         }
-                        let _e549 = local_8[_e534];
-                        if _e539 {
+                        let _e551 = local_8[_e536];
+                        if _e541 {
                         } else {
                             break;
                         }
-                        let _e551 = local_8[_e538];
-                        if _e543 {
+                        let _e553 = local_8[_e540];
+                        if _e545 {
                         } else {
                             break;
                         }
-                        let _e553 = local_8[_e542];
-                        phi_3321_ = false;
-                        phi_931_ = type_40(_e527, false);
-                        phi_934_ = type_62(type_54(array<f32, 3>(_e537, _e541, _e545), array<f32, 3>(_e549, _e551, _e553)), select(0u, 2147483648u, (_e86 == 0u)));
-                        phi_936_ = ((3u * _e86) + 1u);
-                        phi_938_ = (_e529 <= _e527);
-                        phi_940_ = 0u;
+                        let _e555 = local_8[_e544];
+                        phi_3593_ = false;
+                        phi_936_ = type_40(_e529, false);
+                        phi_939_ = type_62(type_54(array<f32, 3>(_e539, _e543, _e547), array<f32, 3>(_e551, _e553, _e555)), select(0u, 2147483648u, (_e88 == 0u)));
+                        phi_941_ = ((3u * _e88) + 1u);
+                        phi_943_ = (_e531 <= _e529);
+                        phi_945_ = 0u;
                         loop {
-                            let _e561 = phi_3321_;
-                            let _e563 = phi_931_;
-                            let _e565 = phi_934_;
-                            let _e567 = phi_936_;
-                            let _e569 = phi_938_;
-                            let _e571 = phi_940_;
-                            local_11 = _e563;
-                            if _e569 {
-                                phi_951_ = true;
+                            let _e563 = phi_3593_;
+                            let _e565 = phi_936_;
+                            let _e567 = phi_939_;
+                            let _e569 = phi_941_;
+                            let _e571 = phi_943_;
+                            let _e573 = phi_945_;
+                            local_11 = _e565;
+                            if _e571 {
+                                phi_956_ = true;
                             } else {
-                                phi_951_ = (_e571 > 0u);
+                                phi_956_ = (_e573 > 0u);
                             }
-                            let _e574 = phi_951_;
-                            if _e574 {
-                                let _e575 = (_e567 > 0u);
-                                if _e575 {
-                                    if _e569 {
-                                        phi_1037_ = _e565;
-                                        phi_1038_ = _e569;
-                                        phi_1039_ = _e571;
+                            let _e576 = phi_956_;
+                            if _e576 {
+                                let _e577 = (_e569 > 0u);
+                                if _e577 {
+                                    if _e571 {
+                                        phi_1042_ = _e567;
+                                        phi_1043_ = _e571;
+                                        phi_1044_ = _e573;
                                     } else {
-                                        let _e576 = (_e571 - 1u);
-                                        let _e577 = (_e576 % 128u);
-                                        let _e578 = (_e577 < 128u);
-                                        if _e578 {
+                                        let _e578 = (_e573 - 1u);
+                                        let _e579 = (_e578 % 128u);
+                                        let _e580 = (_e579 < 128u);
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e580 = local_6[_e577];
-                                        if _e578 {
+                                        let _e582 = local_6[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e582 = local_5[_e577];
-                                        if _e578 {
+                                        let _e584 = local_5[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e584 = local_4[_e577];
-                                        if _e578 {
+                                        let _e586 = local_4[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e586 = local_3[_e577];
-                                        if _e578 {
+                                        let _e588 = local_3[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e589 = local_2[_e577];
-                                        if _e578 {
+                                        let _e591 = local_2[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e591 = local_1[_e577];
-                                        if _e578 {
+                                        let _e593 = local_1[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e593 = local[_e577];
-                                        if _e578 {
+                                        let _e595 = local[_e579];
+                                        if _e580 {
                                         } else {
-                                            phi_3471_ = true;
+                                            phi_3771_ = true;
                                             break;
                                         }
-                                        let _e598 = local_7[_e577];
-                                        phi_1037_ = type_62(type_54(array<f32, 3>(_e582, _e584, _e586), array<f32, 3>(_e589, _e591, _e593)), _e580);
-                                        phi_1038_ = (_e598 <= _e563.member);
-                                        phi_1039_ = _e576;
+                                        let _e600 = local_7[_e579];
+                                        phi_1042_ = type_62(type_54(array<f32, 3>(_e584, _e586, _e588), array<f32, 3>(_e591, _e593, _e595)), _e582);
+                                        phi_1043_ = (_e600 <= _e565.member);
+                                        phi_1044_ = _e578;
                                     }
-                                    let _e602 = phi_1037_;
-                                    let _e604 = phi_1038_;
-                                    let _e606 = phi_1039_;
-                                    if _e604 {
-                                        if ((_e602.member_1 & 2147483648u) != 0u) {
-                                            phi_1058_ = _e563;
-                                            phi_1061_ = type_8(0u, ((_e602.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e604 = phi_1042_;
+                                    let _e606 = phi_1043_;
+                                    let _e608 = phi_1044_;
+                                    if _e606 {
+                                        if ((_e604.member_1 & 2147483648u) != 0u) {
+                                            phi_1063_ = _e565;
+                                            phi_1066_ = type_8(0u, ((_e604.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e959 = phi_1058_;
-                                                let _e961 = phi_1061_;
-                                                local_10 = _e959;
-                                                local_12 = _e959;
-                                                if (_e961.member < _e961.member_1) {
-                                                    phi_1062_ = type_8((_e961.member + 1u), _e961.member_1);
-                                                    phi_1084_ = type_8(1u, _e961.member);
+                                                let _e961 = phi_1063_;
+                                                let _e963 = phi_1066_;
+                                                local_10 = _e961;
+                                                local_12 = _e961;
+                                                if (_e963.member < _e963.member_1) {
+                                                    phi_1067_ = type_8((_e963.member + 1u), _e963.member_1);
+                                                    phi_1089_ = type_8(1u, _e963.member);
                                                 } else {
-                                                    phi_1062_ = _e961;
-                                                    phi_1084_ = type_8(0u, type_8().member_1);
+                                                    phi_1067_ = _e963;
+                                                    phi_1089_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e974 = phi_1062_;
-                                                let _e976 = phi_1084_;
-                                                let _e980 = (bitcast<i32>(_e976.member) != 0i);
-                                                if _e980 {
-                                                    let _e981 = ((_e602.member_1 & 268435455u) + _e976.member_1);
-                                                    let _e982 = (_e981 < arrayLength((&global_10.member)));
-                                                    if _e982 {
-                                                        if _e982 {
+                                                let _e976 = phi_1067_;
+                                                let _e978 = phi_1089_;
+                                                let _e982 = (bitcast<i32>(_e978.member) != 0i);
+                                                if _e982 {
+                                                    let _e983 = ((_e604.member_1 & 268435455u) + _e978.member_1);
+                                                    let _e984 = (_e983 < arrayLength((&global_10.member)));
+                                                    if _e984 {
+                                                        if _e984 {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3587_ = true;
                                                             break;
                                                         }
-                                                        let _e985 = global_10.member[_e981].member_1;
-                                                        phi_1109_ = _e985;
+                                                        let _e987 = global_10.member[_e983].member_1;
+                                                        phi_1114_ = _e987;
                                                     } else {
-                                                        phi_1109_ = 4294967295u;
+                                                        phi_1114_ = 4294967295u;
                                                     }
-                                                    let _e987 = phi_1109_;
-                                                    if _e982 {
-                                                        if _e982 {
+                                                    let _e989 = phi_1114_;
+                                                    if _e984 {
+                                                        if _e984 {
                                                         } else {
-                                                            phi_3315_ = true;
+                                                            phi_3587_ = true;
                                                             break;
                                                         }
-                                                        let _e989 = global_10.member[_e981];
-                                                        phi_1125_ = _e989;
+                                                        let _e991 = global_10.member[_e983];
+                                                        phi_1130_ = _e991;
                                                     } else {
-                                                        phi_1125_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
+                                                        phi_1130_ = type_56(array<u32, 3>(0u, 0u, 0u), 4294967295u);
                                                     }
-                                                    let _e991 = phi_1125_;
-                                                    let _e1003 = ((10u * _e351) & 31u);
-                                                    let _e1006 = ((_e991.member[0] >> bitcast<u32>(_e1003)) & 1023u);
-                                                    let _e1011 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[0] - _e602.member.member[0]) * 0.0009775171f)) ^ _e129));
-                                                    let _e1017 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1006) * _e1011)) ^ _e129)));
-                                                    let _e1021 = select(select(_e602.member.member_1[0], _e1017, (_e1017 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1006 == 1023u));
-                                                    let _e1023 = ((10u * _e350) & 31u);
-                                                    let _e1026 = ((_e991.member[0] >> bitcast<u32>(_e1023)) & 1023u);
-                                                    let _e1031 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[1] - _e602.member.member[1]) * 0.0009775171f)) ^ _e129));
-                                                    let _e1037 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1026) * _e1031)) ^ _e129)));
-                                                    let _e1041 = select(select(_e602.member.member_1[1], _e1037, (_e1037 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1026 == 1023u));
-                                                    let _e1043 = ((10u * _e352) & 31u);
-                                                    let _e1046 = ((_e991.member[0] >> bitcast<u32>(_e1043)) & 1023u);
-                                                    let _e1051 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[2] - _e602.member.member[2]) * 0.0009775171f)) ^ _e129));
-                                                    let _e1057 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1046) * _e1051)) ^ _e129)));
-                                                    let _e1061 = select(select(_e602.member.member_1[2], _e1057, (_e1057 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1046 == 1023u));
-                                                    let _e1065 = ((_e991.member[1] >> bitcast<u32>(_e1003)) & 1023u);
-                                                    let _e1071 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1065) * _e1011)) ^ _e129)));
-                                                    let _e1075 = select(select(_e602.member.member_1[0], _e1071, (_e1071 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1065 == 1023u));
-                                                    let _e1078 = ((_e991.member[1] >> bitcast<u32>(_e1023)) & 1023u);
-                                                    let _e1084 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1078) * _e1031)) ^ _e129)));
-                                                    let _e1088 = select(select(_e602.member.member_1[1], _e1084, (_e1084 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1078 == 1023u));
-                                                    let _e1091 = ((_e991.member[1] >> bitcast<u32>(_e1043)) & 1023u);
-                                                    let _e1097 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1091) * _e1051)) ^ _e129)));
-                                                    let _e1101 = select(select(_e602.member.member_1[2], _e1097, (_e1097 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1091 == 1023u));
-                                                    let _e1105 = ((_e991.member[2] >> bitcast<u32>(_e1003)) & 1023u);
-                                                    let _e1111 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1105) * _e1011)) ^ _e129)));
-                                                    let _e1115 = select(select(_e602.member.member_1[0], _e1111, (_e1111 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e1105 == 1023u));
-                                                    let _e1118 = ((_e991.member[2] >> bitcast<u32>(_e1023)) & 1023u);
-                                                    let _e1124 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1118) * _e1031)) ^ _e129)));
-                                                    let _e1128 = select(select(_e602.member.member_1[1], _e1124, (_e1124 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e1118 == 1023u));
-                                                    let _e1131 = ((_e991.member[2] >> bitcast<u32>(_e1043)) & 1023u);
-                                                    let _e1137 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1131) * _e1051)) ^ _e129)));
-                                                    let _e1141 = select(select(_e602.member.member_1[2], _e1137, (_e1137 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e1131 == 1023u));
-                                                    let _e1145 = (_e1061 - _e456);
-                                                    let _e1148 = (((_e1021 - _e383) * _e480) - (_e1145 * _e408));
-                                                    let _e1151 = (((_e1041 - _e420) * _e480) - (_e1145 * _e444));
-                                                    let _e1154 = (_e1101 - _e456);
-                                                    let _e1157 = (((_e1075 - _e383) * _e480) - (_e1154 * _e408));
-                                                    let _e1160 = (((_e1088 - _e420) * _e480) - (_e1154 * _e444));
-                                                    let _e1163 = (_e1141 - _e456);
-                                                    let _e1166 = (((_e1115 - _e383) * _e480) - (_e1163 * _e408));
-                                                    let _e1169 = (((_e1128 - _e420) * _e480) - (_e1163 * _e444));
-                                                    let _e1170 = (_e1166 * _e1160);
-                                                    let _e1171 = (_e1169 * _e1157);
-                                                    let _e1172 = (_e1148 * _e1169);
-                                                    let _e1173 = (_e1151 * _e1166);
-                                                    let _e1174 = (_e1157 * _e1151);
-                                                    let _e1175 = (_e1160 * _e1148);
-                                                    let _e1180 = (((_e1170 >= _e1171) && (_e1172 >= _e1173)) && (_e1174 >= _e1175));
-                                                    if (_e1180 || (((_e1170 <= _e1171) && (_e1172 <= _e1173)) && (_e1174 <= _e1175))) {
-                                                        let _e1187 = select(-1f, 1f, _e1180);
-                                                        let _e1189 = ((_e1170 - _e1171) * _e1187);
-                                                        let _e1191 = select(0f, _e1189, (_e1189 > 0f));
-                                                        let _e1193 = ((_e1172 - _e1173) * _e1187);
-                                                        let _e1195 = select(0f, _e1193, (_e1193 > 0f));
-                                                        let _e1197 = ((_e1174 - _e1175) * _e1187);
-                                                        let _e1199 = select(0f, _e1197, (_e1197 > 0f));
-                                                        let _e1201 = ((_e1191 + _e1195) + _e1199);
-                                                        if (_e1201 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_1926_ = type_22();
-                                                            phi_1927_ = true;
+                                                    let _e993 = phi_1130_;
+                                                    let _e1005 = ((10u * _e353) & 31u);
+                                                    let _e1008 = ((_e993.member[0] >> bitcast<u32>(_e1005)) & 1023u);
+                                                    let _e1013 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[0] - _e604.member.member[0]) * 0.0009775171f)) ^ _e131));
+                                                    let _e1019 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1008) * _e1013)) ^ _e131)));
+                                                    let _e1023 = select(select(_e604.member.member_1[0], _e1019, (_e1019 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e1008 == 1023u));
+                                                    let _e1025 = ((10u * _e352) & 31u);
+                                                    let _e1028 = ((_e993.member[0] >> bitcast<u32>(_e1025)) & 1023u);
+                                                    let _e1033 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[1] - _e604.member.member[1]) * 0.0009775171f)) ^ _e131));
+                                                    let _e1039 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1028) * _e1033)) ^ _e131)));
+                                                    let _e1043 = select(select(_e604.member.member_1[1], _e1039, (_e1039 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e1028 == 1023u));
+                                                    let _e1045 = ((10u * _e354) & 31u);
+                                                    let _e1048 = ((_e993.member[0] >> bitcast<u32>(_e1045)) & 1023u);
+                                                    let _e1053 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[2] - _e604.member.member[2]) * 0.0009775171f)) ^ _e131));
+                                                    let _e1059 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1048) * _e1053)) ^ _e131)));
+                                                    let _e1063 = select(select(_e604.member.member_1[2], _e1059, (_e1059 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e1048 == 1023u));
+                                                    let _e1067 = ((_e993.member[1] >> bitcast<u32>(_e1005)) & 1023u);
+                                                    let _e1073 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1067) * _e1013)) ^ _e131)));
+                                                    let _e1077 = select(select(_e604.member.member_1[0], _e1073, (_e1073 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e1067 == 1023u));
+                                                    let _e1080 = ((_e993.member[1] >> bitcast<u32>(_e1025)) & 1023u);
+                                                    let _e1086 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1080) * _e1033)) ^ _e131)));
+                                                    let _e1090 = select(select(_e604.member.member_1[1], _e1086, (_e1086 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e1080 == 1023u));
+                                                    let _e1093 = ((_e993.member[1] >> bitcast<u32>(_e1045)) & 1023u);
+                                                    let _e1099 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1093) * _e1053)) ^ _e131)));
+                                                    let _e1103 = select(select(_e604.member.member_1[2], _e1099, (_e1099 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e1093 == 1023u));
+                                                    let _e1107 = ((_e993.member[2] >> bitcast<u32>(_e1005)) & 1023u);
+                                                    let _e1113 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e1107) * _e1013)) ^ _e131)));
+                                                    let _e1117 = select(select(_e604.member.member_1[0], _e1113, (_e1113 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e1107 == 1023u));
+                                                    let _e1120 = ((_e993.member[2] >> bitcast<u32>(_e1025)) & 1023u);
+                                                    let _e1126 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e1120) * _e1033)) ^ _e131)));
+                                                    let _e1130 = select(select(_e604.member.member_1[1], _e1126, (_e1126 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e1120 == 1023u));
+                                                    let _e1133 = ((_e993.member[2] >> bitcast<u32>(_e1045)) & 1023u);
+                                                    let _e1139 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e1133) * _e1053)) ^ _e131)));
+                                                    let _e1143 = select(select(_e604.member.member_1[2], _e1139, (_e1139 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e1133 == 1023u));
+                                                    let _e1147 = (_e1063 - _e458);
+                                                    let _e1150 = (((_e1023 - _e385) * _e482) - (_e1147 * _e410));
+                                                    let _e1153 = (((_e1043 - _e422) * _e482) - (_e1147 * _e446));
+                                                    let _e1156 = (_e1103 - _e458);
+                                                    let _e1159 = (((_e1077 - _e385) * _e482) - (_e1156 * _e410));
+                                                    let _e1162 = (((_e1090 - _e422) * _e482) - (_e1156 * _e446));
+                                                    let _e1165 = (_e1143 - _e458);
+                                                    let _e1168 = (((_e1117 - _e385) * _e482) - (_e1165 * _e410));
+                                                    let _e1171 = (((_e1130 - _e422) * _e482) - (_e1165 * _e446));
+                                                    let _e1172 = (_e1168 * _e1162);
+                                                    let _e1173 = (_e1171 * _e1159);
+                                                    let _e1174 = (_e1150 * _e1171);
+                                                    let _e1175 = (_e1153 * _e1168);
+                                                    let _e1176 = (_e1159 * _e1153);
+                                                    let _e1177 = (_e1162 * _e1150);
+                                                    let _e1182 = (((_e1172 >= _e1173) && (_e1174 >= _e1175)) && (_e1176 >= _e1177));
+                                                    if (_e1182 || (((_e1172 <= _e1173) && (_e1174 <= _e1175)) && (_e1176 <= _e1177))) {
+                                                        let _e1189 = select(-1f, 1f, _e1182);
+                                                        let _e1191 = ((_e1172 - _e1173) * _e1189);
+                                                        let _e1193 = select(0f, _e1191, (_e1191 > 0f));
+                                                        let _e1195 = ((_e1174 - _e1175) * _e1189);
+                                                        let _e1197 = select(0f, _e1195, (_e1195 > 0f));
+                                                        let _e1199 = ((_e1176 - _e1177) * _e1189);
+                                                        let _e1201 = select(0f, _e1199, (_e1199 > 0f));
+                                                        let _e1203 = ((_e1193 + _e1197) + _e1201);
+                                                        if (_e1203 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2193_ = type_22();
+                                                            phi_2194_ = true;
+                                                            phi_2195_ = false;
                                                         } else {
-                                                            let _e1204 = select(_e1075, _e1021, (_e1021 < _e1075));
-                                                            let _e1208 = select(_e1075, _e1021, (_e1021 > _e1075));
-                                                            let _e1212 = select(_e1088, _e1041, (_e1041 < _e1088));
-                                                            let _e1216 = select(_e1088, _e1041, (_e1041 > _e1088));
-                                                            let _e1220 = select(_e1101, _e1061, (_e1061 < _e1101));
-                                                            let _e1224 = select(_e1101, _e1061, (_e1061 > _e1101));
-                                                            let _e1229 = ((select(_e1115, _e1204, (_e1204 < _e1115)) - _e406) * _e411);
-                                                            let _e1230 = ((select(_e1115, _e1208, (_e1208 > _e1115)) - _e407) * _e411);
-                                                            let _e1233 = ((select(_e1128, _e1212, (_e1212 < _e1128)) - _e442) * _e447);
-                                                            let _e1234 = ((select(_e1128, _e1216, (_e1216 > _e1128)) - _e443) * _e447);
-                                                            let _e1237 = ((select(_e1141, _e1220, (_e1220 < _e1141)) - _e478) * _e483);
-                                                            let _e1238 = ((select(_e1141, _e1224, (_e1224 > _e1141)) - _e479) * _e483);
-                                                            let _e1240 = select(_e1238, _e1237, (_e1237 < _e1238));
-                                                            let _e1242 = select(_e1238, _e1237, (_e1237 > _e1238));
-                                                            let _e1244 = select(_e1230, _e1229, (_e1229 < _e1230));
-                                                            let _e1246 = select(_e1234, _e1233, (_e1233 < _e1234));
-                                                            let _e1248 = select(_e1246, _e1244, (_e1244 > _e1246));
-                                                            let _e1250 = select(_e1240, _e1248, (_e1248 > _e1240));
-                                                            let _e1252 = select(_e1230, _e1229, (_e1229 > _e1230));
-                                                            let _e1254 = select(_e1234, _e1233, (_e1233 > _e1234));
-                                                            let _e1256 = select(_e1254, _e1252, (_e1252 < _e1254));
-                                                            let _e1258 = select(_e1242, _e1256, (_e1256 < _e1242));
-                                                            let _e1259 = -(_e1240);
-                                                            let _e1265 = select(_e529, _e1250, (_e1250 > _e529));
-                                                            if (_e1265 > (_e1258 + (select(_e1259, _e1242, (_e1242 > _e1259)) * 0.0000019073523f))) {
-                                                                phi_1921_ = type_22();
-                                                                phi_1922_ = true;
+                                                            let _e1206 = select(_e1159, _e1150, (_e1150 < _e1159));
+                                                            if (select(_e1168, _e1206, (_e1206 < _e1168)) > 0f) {
+                                                                phi_1506_ = true;
                                                             } else {
-                                                                let _e1267 = (_e1265 > _e959.member);
-                                                                if _e1267 {
-                                                                    phi_1920_ = type_22();
+                                                                let _e1211 = select(_e1159, _e1150, (_e1150 > _e1159));
+                                                                phi_1506_ = (select(_e1168, _e1211, (_e1211 > _e1168)) < 0f);
+                                                            }
+                                                            let _e1216 = phi_1506_;
+                                                            if _e1216 {
+                                                                phi_2190_ = type_22();
+                                                                phi_2191_ = true;
+                                                                phi_2192_ = false;
+                                                            } else {
+                                                                let _e1218 = select(_e1162, _e1153, (_e1153 < _e1162));
+                                                                if (select(_e1171, _e1218, (_e1218 < _e1171)) > 0f) {
+                                                                    phi_1535_ = true;
                                                                 } else {
-                                                                    let _e1271 = (_e1075 - _e1021);
-                                                                    let _e1272 = (_e1088 - _e1041);
-                                                                    let _e1273 = (_e1101 - _e1061);
-                                                                    let _e1274 = vec3<f32>(_e1271, _e1272, _e1273);
-                                                                    let _e1275 = (_e1115 - _e1075);
-                                                                    let _e1276 = (_e1128 - _e1088);
-                                                                    let _e1277 = (_e1141 - _e1101);
-                                                                    let _e1278 = vec3<f32>(_e1275, _e1276, _e1277);
-                                                                    let _e1279 = (_e1021 - _e1115);
-                                                                    let _e1280 = (_e1041 - _e1128);
-                                                                    let _e1281 = (_e1061 - _e1141);
-                                                                    let _e1282 = vec3<f32>(_e1279, _e1280, _e1281);
-                                                                    let _e1285 = bitcast<f32>((bitcast<u32>(_e1271) & 2147483647u));
-                                                                    let _e1288 = bitcast<f32>((bitcast<u32>(_e1272) & 2147483647u));
-                                                                    let _e1290 = select(_e1288, _e1285, (_e1285 > _e1288));
-                                                                    let _e1293 = bitcast<f32>((bitcast<u32>(_e1273) & 2147483647u));
-                                                                    let _e1295 = select(_e1293, _e1290, (_e1290 > _e1293));
-                                                                    let _e1298 = bitcast<f32>((bitcast<u32>(_e1275) & 2147483647u));
-                                                                    let _e1301 = bitcast<f32>((bitcast<u32>(_e1276) & 2147483647u));
-                                                                    let _e1303 = select(_e1301, _e1298, (_e1298 > _e1301));
-                                                                    let _e1306 = bitcast<f32>((bitcast<u32>(_e1277) & 2147483647u));
-                                                                    let _e1308 = select(_e1306, _e1303, (_e1303 > _e1306));
-                                                                    let _e1311 = bitcast<f32>((bitcast<u32>(_e1279) & 2147483647u));
-                                                                    let _e1314 = bitcast<f32>((bitcast<u32>(_e1280) & 2147483647u));
-                                                                    let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
-                                                                    let _e1319 = bitcast<f32>((bitcast<u32>(_e1281) & 2147483647u));
-                                                                    let _e1321 = select(_e1319, _e1316, (_e1316 > _e1319));
-                                                                    let _e1323 = select(_e1308, _e1295, (_e1295 > _e1308));
-                                                                    let _e1325 = select(_e1321, _e1323, (_e1323 > _e1321));
-                                                                    if (_e1295 == _e1325) {
-                                                                        phi_1831_ = _e1278;
-                                                                        phi_1832_ = _e1282;
+                                                                    let _e1223 = select(_e1162, _e1153, (_e1153 > _e1162));
+                                                                    phi_1535_ = (select(_e1171, _e1223, (_e1223 > _e1171)) < 0f);
+                                                                }
+                                                                let _e1228 = phi_1535_;
+                                                                if _e1228 {
+                                                                    phi_2188_ = type_22();
+                                                                    phi_2189_ = false;
+                                                                } else {
+                                                                    let _e1230 = select(_e1077, _e1023, (_e1023 < _e1077));
+                                                                    let _e1234 = select(_e1077, _e1023, (_e1023 > _e1077));
+                                                                    let _e1238 = select(_e1090, _e1043, (_e1043 < _e1090));
+                                                                    let _e1242 = select(_e1090, _e1043, (_e1043 > _e1090));
+                                                                    let _e1246 = select(_e1103, _e1063, (_e1063 < _e1103));
+                                                                    let _e1250 = select(_e1103, _e1063, (_e1063 > _e1103));
+                                                                    let _e1255 = ((select(_e1117, _e1230, (_e1230 < _e1117)) - _e408) * _e413);
+                                                                    let _e1256 = ((select(_e1117, _e1234, (_e1234 > _e1117)) - _e409) * _e413);
+                                                                    let _e1259 = ((select(_e1130, _e1238, (_e1238 < _e1130)) - _e444) * _e449);
+                                                                    let _e1260 = ((select(_e1130, _e1242, (_e1242 > _e1130)) - _e445) * _e449);
+                                                                    let _e1263 = ((select(_e1143, _e1246, (_e1246 < _e1143)) - _e480) * _e485);
+                                                                    let _e1264 = ((select(_e1143, _e1250, (_e1250 > _e1143)) - _e481) * _e485);
+                                                                    let _e1266 = select(_e1264, _e1263, (_e1263 < _e1264));
+                                                                    let _e1268 = select(_e1264, _e1263, (_e1263 > _e1264));
+                                                                    let _e1270 = select(_e1256, _e1255, (_e1255 < _e1256));
+                                                                    let _e1272 = select(_e1260, _e1259, (_e1259 < _e1260));
+                                                                    let _e1274 = select(_e1272, _e1270, (_e1270 > _e1272));
+                                                                    let _e1276 = select(_e1266, _e1274, (_e1274 > _e1266));
+                                                                    let _e1278 = select(_e1256, _e1255, (_e1255 > _e1256));
+                                                                    let _e1280 = select(_e1260, _e1259, (_e1259 > _e1260));
+                                                                    let _e1282 = select(_e1280, _e1278, (_e1278 < _e1280));
+                                                                    let _e1284 = select(_e1268, _e1282, (_e1282 < _e1268));
+                                                                    let _e1285 = -(_e1266);
+                                                                    let _e1291 = select(_e531, _e1276, (_e1276 > _e531));
+                                                                    if (_e1291 > (_e1284 + (select(_e1285, _e1268, (_e1268 > _e1285)) * 0.0000019073523f))) {
+                                                                        phi_2183_ = type_22();
+                                                                        phi_2184_ = true;
                                                                     } else {
-                                                                        let _e1328 = vec3((_e1308 == _e1325));
-                                                                        phi_1831_ = select(_e1274, _e1282, _e1328);
-                                                                        phi_1832_ = select(_e1278, _e1274, _e1328);
-                                                                    }
-                                                                    let _e1332 = phi_1831_;
-                                                                    let _e1334 = phi_1832_;
-                                                                    let _e1341 = ((_e1332.y * _e1334.z) - (_e1334.y * _e1332.z));
-                                                                    let _e1346 = ((_e1332.z * _e1334.x) - (_e1334.z * _e1332.x));
-                                                                    let _e1349 = ((_e1332.x * _e1334.y) - (_e1334.x * _e1332.y));
-                                                                    if (_e1191 >= _e1195) {
-                                                                        phi_1863_ = select(true, false, (_e1191 >= _e1199));
-                                                                    } else {
-                                                                        phi_1863_ = true;
-                                                                    }
-                                                                    let _e1354 = phi_1863_;
-                                                                    if _e1354 {
-                                                                        phi_1872_ = select(vec3<f32>(_e1115, _e1128, _e1141), vec3<f32>(_e1075, _e1088, _e1101), vec3((_e1195 >= _e1199)));
-                                                                    } else {
-                                                                        phi_1872_ = vec3<f32>(_e1021, _e1041, _e1061);
-                                                                    }
-                                                                    let _e1359 = phi_1872_;
-                                                                    let _e1376 = ((((_e1341 * (_e1359.x - _e383)) + (_e1346 * (_e1359.y - _e420))) + (_e1349 * (_e1359.z - _e456))) / (((_e1341 * _e408) + (_e1346 * _e444)) + (_e1349 * _e480)));
-                                                                    let _e1378 = select(_e1258, _e1376, (_e1376 < _e1258));
-                                                                    let _e1380 = select(_e1250, _e1378, (_e1378 > _e1250));
-                                                                    if (_e1380 >= _e529) {
-                                                                        let _e1382 = (_e1380 <= _e959.member);
-                                                                        if _e1382 {
-                                                                            let _e1383 = (1f / _e1201);
-                                                                            phi_1912_ = type_22(_e1380, (_e1195 * _e1383), (_e1199 * _e1383), _e987);
+                                                                        let _e1293 = (_e1291 > _e961.member);
+                                                                        if _e1293 {
+                                                                            phi_2182_ = type_22();
                                                                         } else {
-                                                                            phi_1912_ = type_22();
+                                                                            let _e1294 = vec3<f32>(_e1023, _e1043, _e1063);
+                                                                            let _e1295 = vec3<f32>(_e1077, _e1090, _e1103);
+                                                                            let _e1296 = vec3<f32>(_e1117, _e1130, _e1143);
+                                                                            let _e1297 = (_e1077 - _e1023);
+                                                                            let _e1298 = (_e1090 - _e1043);
+                                                                            let _e1299 = (_e1103 - _e1063);
+                                                                            let _e1300 = vec3<f32>(_e1297, _e1298, _e1299);
+                                                                            let _e1301 = (_e1117 - _e1077);
+                                                                            let _e1302 = (_e1130 - _e1090);
+                                                                            let _e1303 = (_e1143 - _e1103);
+                                                                            let _e1304 = vec3<f32>(_e1301, _e1302, _e1303);
+                                                                            let _e1305 = (_e1023 - _e1117);
+                                                                            let _e1306 = (_e1043 - _e1130);
+                                                                            let _e1307 = (_e1063 - _e1143);
+                                                                            let _e1308 = vec3<f32>(_e1305, _e1306, _e1307);
+                                                                            let _e1311 = bitcast<f32>((bitcast<u32>(_e1297) & 2147483647u));
+                                                                            let _e1314 = bitcast<f32>((bitcast<u32>(_e1298) & 2147483647u));
+                                                                            let _e1316 = select(_e1314, _e1311, (_e1311 > _e1314));
+                                                                            let _e1319 = bitcast<f32>((bitcast<u32>(_e1299) & 2147483647u));
+                                                                            let _e1321 = select(_e1319, _e1316, (_e1316 > _e1319));
+                                                                            let _e1324 = bitcast<f32>((bitcast<u32>(_e1301) & 2147483647u));
+                                                                            let _e1327 = bitcast<f32>((bitcast<u32>(_e1302) & 2147483647u));
+                                                                            let _e1329 = select(_e1327, _e1324, (_e1324 > _e1327));
+                                                                            let _e1332 = bitcast<f32>((bitcast<u32>(_e1303) & 2147483647u));
+                                                                            let _e1334 = select(_e1332, _e1329, (_e1329 > _e1332));
+                                                                            let _e1337 = bitcast<f32>((bitcast<u32>(_e1305) & 2147483647u));
+                                                                            let _e1340 = bitcast<f32>((bitcast<u32>(_e1306) & 2147483647u));
+                                                                            let _e1342 = select(_e1340, _e1337, (_e1337 > _e1340));
+                                                                            let _e1345 = bitcast<f32>((bitcast<u32>(_e1307) & 2147483647u));
+                                                                            let _e1347 = select(_e1345, _e1342, (_e1342 > _e1345));
+                                                                            let _e1349 = select(_e1334, _e1321, (_e1321 > _e1334));
+                                                                            let _e1351 = select(_e1347, _e1349, (_e1349 > _e1347));
+                                                                            if (_e1321 == _e1351) {
+                                                                                phi_1912_ = _e1162;
+                                                                                phi_1913_ = _e1159;
+                                                                                phi_1914_ = _e1153;
+                                                                                phi_1915_ = _e1150;
+                                                                                phi_1916_ = _e1294;
+                                                                                phi_1917_ = _e1308;
+                                                                                phi_1918_ = _e1304;
+                                                                                phi_1919_ = _e1300;
+                                                                            } else {
+                                                                                let _e1353 = (_e1334 == _e1351);
+                                                                                let _e1358 = vec3(_e1353);
+                                                                                phi_1912_ = select(_e1153, _e1171, _e1353);
+                                                                                phi_1913_ = select(_e1150, _e1168, _e1353);
+                                                                                phi_1914_ = select(_e1171, _e1162, _e1353);
+                                                                                phi_1915_ = select(_e1168, _e1159, _e1353);
+                                                                                phi_1916_ = select(_e1296, _e1295, _e1358);
+                                                                                phi_1917_ = select(_e1304, _e1300, _e1358);
+                                                                                phi_1918_ = select(_e1300, _e1308, _e1358);
+                                                                                phi_1919_ = select(_e1308, _e1304, _e1358);
+                                                                            }
+                                                                            let _e1364 = phi_1912_;
+                                                                            let _e1366 = phi_1913_;
+                                                                            let _e1368 = phi_1914_;
+                                                                            let _e1370 = phi_1915_;
+                                                                            let _e1372 = phi_1916_;
+                                                                            let _e1374 = phi_1917_;
+                                                                            let _e1376 = phi_1918_;
+                                                                            let _e1378 = phi_1919_;
+                                                                            let _e1385 = ((_e1376.y * _e1374.z) - (_e1374.y * _e1376.z));
+                                                                            let _e1390 = ((_e1376.z * _e1374.x) - (_e1374.z * _e1376.x));
+                                                                            let _e1393 = ((_e1376.x * _e1374.y) - (_e1374.x * _e1376.y));
+                                                                            if (_e1193 >= _e1197) {
+                                                                                phi_1950_ = select(true, false, (_e1193 >= _e1201));
+                                                                            } else {
+                                                                                phi_1950_ = true;
+                                                                            }
+                                                                            let _e1398 = phi_1950_;
+                                                                            if _e1398 {
+                                                                                phi_1959_ = select(_e1296, _e1295, vec3((_e1197 >= _e1201)));
+                                                                            } else {
+                                                                                phi_1959_ = _e1294;
+                                                                            }
+                                                                            let _e1403 = phi_1959_;
+                                                                            let _e1408 = (((_e1385 * _e410) + (_e1390 * _e446)) + (_e1393 * _e482));
+                                                                            let _e1419 = (((_e1385 * (_e1403.x - _e385)) + (_e1390 * (_e1403.y - _e422))) + (_e1393 * (_e1403.z - _e458)));
+                                                                            let _e1421 = (_e1366 - _e1370);
+                                                                            let _e1422 = (_e1364 - _e1368);
+                                                                            let _e1430 = (-(((_e1370 * _e1421) + (_e1368 * _e1422))) / ((_e1421 * _e1421) + (_e1422 * _e1422)));
+                                                                            let _e1432 = select(1f, _e1430, (_e1430 < 1f));
+                                                                            let _e1434 = select(0f, _e1432, (_e1432 > 0f));
+                                                                            let _e1447 = ((_e1372.x + (_e1378.x * _e1434)) - _e385);
+                                                                            let _e1448 = ((_e1372.y + (_e1378.y * _e1434)) - _e422);
+                                                                            let _e1449 = ((_e1372.z + (_e1378.z * _e1434)) - _e458);
+                                                                            let _e1450 = (_e1449 / _e482);
+                                                                            let _e1462 = bitcast<f32>((bitcast<u32>(_e1447) & 2147483647u));
+                                                                            let _e1465 = bitcast<f32>((bitcast<u32>(_e1448) & 2147483647u));
+                                                                            let _e1467 = select(_e1465, _e1462, (_e1462 > _e1465));
+                                                                            let _e1470 = bitcast<f32>((bitcast<u32>(_e1449) & 2147483647u));
+                                                                            let _e1472 = select(_e1470, _e1467, (_e1467 > _e1470));
+                                                                            let _e1478 = bitcast<f32>((bitcast<u32>(_e1385) & 2147483647u));
+                                                                            let _e1481 = bitcast<f32>((bitcast<u32>(_e1390) & 2147483647u));
+                                                                            let _e1483 = select(_e1481, _e1478, (_e1478 > _e1481));
+                                                                            let _e1486 = bitcast<f32>((bitcast<u32>(_e1393) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1385 * _e1447) + (_e1390 * _e1448)) + (_e1393 * _e1449)) - _e1419)) & 2147483647u)) <= ((0.0000009536743f * select(_e1351, _e1472, (_e1472 > _e1351))) * select(_e1486, _e1483, (_e1483 > _e1486)))) {
+                                                                                let _e1496 = bitcast<f32>((bitcast<u32>(_e1376.x) & 2147483647u));
+                                                                                let _e1499 = bitcast<f32>((bitcast<u32>(_e1376.y) & 2147483647u));
+                                                                                let _e1501 = select(_e1499, _e1496, (_e1496 > _e1499));
+                                                                                let _e1504 = bitcast<f32>((bitcast<u32>(_e1376.z) & 2147483647u));
+                                                                                let _e1510 = bitcast<f32>((bitcast<u32>(_e1374.x) & 2147483647u));
+                                                                                let _e1513 = bitcast<f32>((bitcast<u32>(_e1374.y) & 2147483647u));
+                                                                                let _e1515 = select(_e1513, _e1510, (_e1510 > _e1513));
+                                                                                let _e1518 = bitcast<f32>((bitcast<u32>(_e1374.z) & 2147483647u));
+                                                                                phi_2126_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1408) & 2147483647u)) > ((0.0000038146973f * select(_e1504, _e1501, (_e1501 > _e1504))) * select(_e1518, _e1515, (_e1515 > _e1518)))));
+                                                                            } else {
+                                                                                phi_2126_ = true;
+                                                                            }
+                                                                            let _e1525 = phi_2126_;
+                                                                            if _e1525 {
+                                                                                let _e1536 = ((((_e1385 * (_e1447 - (_e410 * _e1450))) + (_e1390 * (_e1448 - (_e446 * _e1450)))) + (_e1393 * (_e1449 - _e1449))) / _e1408);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1536) & 2147483647u)) <= _e1351) {
+                                                                                    phi_2150_ = (_e1450 + _e1536);
+                                                                                } else {
+                                                                                    phi_2150_ = _e1450;
+                                                                                }
+                                                                                let _e1543 = phi_2150_;
+                                                                                phi_2151_ = _e1543;
+                                                                            } else {
+                                                                                phi_2151_ = (_e1419 / _e1408);
+                                                                            }
+                                                                            let _e1545 = phi_2151_;
+                                                                            let _e1547 = select(_e1284, _e1545, (_e1545 < _e1284));
+                                                                            let _e1549 = select(_e1276, _e1547, (_e1547 > _e1276));
+                                                                            if (_e1549 >= _e531) {
+                                                                                let _e1551 = (_e1549 <= _e961.member);
+                                                                                if _e1551 {
+                                                                                    let _e1552 = (1f / _e1203);
+                                                                                    phi_2174_ = type_22(_e1549, (_e1197 * _e1552), (_e1201 * _e1552), _e989);
+                                                                                } else {
+                                                                                    phi_2174_ = type_22();
+                                                                                }
+                                                                                let _e1557 = phi_2174_;
+                                                                                phi_2176_ = _e1557;
+                                                                                phi_2177_ = select(true, false, _e1551);
+                                                                            } else {
+                                                                                phi_2176_ = type_22();
+                                                                                phi_2177_ = true;
+                                                                            }
+                                                                            let _e1560 = phi_2176_;
+                                                                            let _e1562 = phi_2177_;
+                                                                            if _e1562 {
+                                                                                phi_2181_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2181_ = _e1560;
+                                                                            }
+                                                                            let _e1564 = phi_2181_;
+                                                                            phi_2182_ = _e1564;
                                                                         }
-                                                                        let _e1388 = phi_1912_;
-                                                                        phi_1914_ = _e1388;
-                                                                        phi_1915_ = select(true, false, _e1382);
-                                                                    } else {
-                                                                        phi_1914_ = type_22();
-                                                                        phi_1915_ = true;
+                                                                        let _e1566 = phi_2182_;
+                                                                        phi_2183_ = _e1566;
+                                                                        phi_2184_ = _e1293;
                                                                     }
-                                                                    let _e1391 = phi_1914_;
-                                                                    let _e1393 = phi_1915_;
-                                                                    if _e1393 {
-                                                                        phi_1919_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_1919_ = _e1391;
-                                                                    }
-                                                                    let _e1395 = phi_1919_;
-                                                                    phi_1920_ = _e1395;
+                                                                    let _e1568 = phi_2183_;
+                                                                    let _e1570 = phi_2184_;
+                                                                    phi_2188_ = _e1568;
+                                                                    phi_2189_ = _e1570;
                                                                 }
-                                                                let _e1397 = phi_1920_;
-                                                                phi_1921_ = _e1397;
-                                                                phi_1922_ = _e1267;
+                                                                let _e1572 = phi_2188_;
+                                                                let _e1574 = phi_2189_;
+                                                                phi_2190_ = _e1572;
+                                                                phi_2191_ = _e1228;
+                                                                phi_2192_ = _e1574;
                                                             }
-                                                            let _e1399 = phi_1921_;
-                                                            let _e1401 = phi_1922_;
-                                                            phi_1926_ = _e1399;
-                                                            phi_1927_ = _e1401;
+                                                            let _e1576 = phi_2190_;
+                                                            let _e1578 = phi_2191_;
+                                                            let _e1580 = phi_2192_;
+                                                            phi_2193_ = _e1576;
+                                                            phi_2194_ = _e1578;
+                                                            phi_2195_ = _e1580;
                                                         }
-                                                        let _e1403 = phi_1926_;
-                                                        let _e1405 = phi_1927_;
-                                                        phi_1931_ = _e1403;
-                                                        phi_1932_ = _e1405;
+                                                        let _e1582 = phi_2193_;
+                                                        let _e1584 = phi_2194_;
+                                                        let _e1586 = phi_2195_;
+                                                        phi_2203_ = _e1582;
+                                                        phi_2204_ = select(_e1586, true, _e1584);
                                                     } else {
-                                                        phi_1931_ = type_22();
-                                                        phi_1932_ = true;
+                                                        phi_2203_ = type_22();
+                                                        phi_2204_ = true;
                                                     }
-                                                    let _e1407 = phi_1931_;
-                                                    let _e1409 = phi_1932_;
-                                                    if _e1409 {
-                                                        phi_1936_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1589 = phi_2203_;
+                                                    let _e1591 = phi_2204_;
+                                                    if _e1591 {
+                                                        phi_2208_ = type_22(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_1936_ = _e1407;
+                                                        phi_2208_ = _e1589;
                                                     }
-                                                    let _e1411 = phi_1936_;
-                                                    if (_e1411.member_3 != 4294967295u) {
-                                                        if (_e987 == _e146) {
-                                                            phi_2253_ = false;
+                                                    let _e1593 = phi_2208_;
+                                                    if (_e1593.member_3 != 4294967295u) {
+                                                        if (_e989 == _e148) {
+                                                            phi_2525_ = false;
                                                         } else {
-                                                            let _e1415 = (_e987 < arrayLength((&global_5.member)));
-                                                            if _e1415 {
-                                                                if _e1415 {
+                                                            let _e1597 = (_e989 < arrayLength((&global_5.member)));
+                                                            if _e1597 {
+                                                                if _e1597 {
                                                                 } else {
-                                                                    phi_3315_ = true;
+                                                                    phi_3587_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1417 = global_5.member[_e987];
-                                                                phi_1959_ = _e1417;
+                                                                let _e1599 = global_5.member[_e989];
+                                                                phi_2231_ = _e1599;
                                                             } else {
-                                                                phi_1959_ = 4294967295u;
+                                                                phi_2231_ = 4294967295u;
                                                             }
-                                                            let _e1419 = phi_1959_;
-                                                            let _e1420 = (_e1419 < arrayLength((&global_6.member)));
-                                                            if _e1420 {
-                                                                if _e1420 {
+                                                            let _e1601 = phi_2231_;
+                                                            let _e1602 = (_e1601 < arrayLength((&global_6.member)));
+                                                            if _e1602 {
+                                                                if _e1602 {
                                                                 } else {
-                                                                    phi_3315_ = true;
+                                                                    phi_3587_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1422 = global_6.member[_e1419];
-                                                                phi_1973_ = _e1422;
+                                                                let _e1604 = global_6.member[_e1601];
+                                                                phi_2245_ = _e1604;
                                                             } else {
-                                                                phi_1973_ = 0i;
+                                                                phi_2245_ = 0i;
                                                             }
-                                                            let _e1424 = phi_1973_;
-                                                            let _e1425 = (_e1424 == 0i);
-                                                            if _e1425 {
-                                                                phi_2252_ = true;
+                                                            let _e1606 = phi_2245_;
+                                                            let _e1607 = (_e1606 == 0i);
+                                                            if _e1607 {
+                                                                phi_2524_ = true;
                                                             } else {
-                                                                if _e375 {
-                                                                    phi_1990_ = vec3<f32>(_e1021, _e1041, _e1061);
+                                                                if _e377 {
+                                                                    phi_2262_ = vec3<f32>(_e1023, _e1043, _e1063);
                                                                 } else {
-                                                                    if (_e351 == 1u) {
-                                                                        phi_1989_ = vec3<f32>(_e1061, _e1021, _e1041);
+                                                                    if (_e353 == 1u) {
+                                                                        phi_2261_ = vec3<f32>(_e1063, _e1023, _e1043);
                                                                     } else {
-                                                                        phi_1989_ = vec3<f32>(_e1041, _e1061, _e1021);
+                                                                        phi_2261_ = vec3<f32>(_e1043, _e1063, _e1023);
                                                                     }
-                                                                    let _e1430 = phi_1989_;
-                                                                    phi_1990_ = _e1430;
+                                                                    let _e1612 = phi_2261_;
+                                                                    phi_2262_ = _e1612;
                                                                 }
-                                                                let _e1433 = phi_1990_;
-                                                                if _e375 {
-                                                                    phi_2003_ = vec3<f32>(_e1075, _e1088, _e1101);
+                                                                let _e1615 = phi_2262_;
+                                                                if _e377 {
+                                                                    phi_2275_ = vec3<f32>(_e1077, _e1090, _e1103);
                                                                 } else {
-                                                                    if (_e351 == 1u) {
-                                                                        phi_2002_ = vec3<f32>(_e1101, _e1075, _e1088);
+                                                                    if (_e353 == 1u) {
+                                                                        phi_2274_ = vec3<f32>(_e1103, _e1077, _e1090);
                                                                     } else {
-                                                                        phi_2002_ = vec3<f32>(_e1088, _e1101, _e1075);
+                                                                        phi_2274_ = vec3<f32>(_e1090, _e1103, _e1077);
                                                                     }
-                                                                    let _e1438 = phi_2002_;
-                                                                    phi_2003_ = _e1438;
+                                                                    let _e1620 = phi_2274_;
+                                                                    phi_2275_ = _e1620;
                                                                 }
-                                                                let _e1441 = phi_2003_;
-                                                                if _e375 {
-                                                                    phi_2016_ = vec3<f32>(_e1115, _e1128, _e1141);
+                                                                let _e1623 = phi_2275_;
+                                                                if _e377 {
+                                                                    phi_2288_ = vec3<f32>(_e1117, _e1130, _e1143);
                                                                 } else {
-                                                                    if (_e351 == 1u) {
-                                                                        phi_2015_ = vec3<f32>(_e1141, _e1115, _e1128);
+                                                                    if (_e353 == 1u) {
+                                                                        phi_2287_ = vec3<f32>(_e1143, _e1117, _e1130);
                                                                     } else {
-                                                                        phi_2015_ = vec3<f32>(_e1128, _e1141, _e1115);
+                                                                        phi_2287_ = vec3<f32>(_e1130, _e1143, _e1117);
                                                                     }
-                                                                    let _e1446 = phi_2015_;
-                                                                    phi_2016_ = _e1446;
+                                                                    let _e1628 = phi_2287_;
+                                                                    phi_2288_ = _e1628;
                                                                 }
-                                                                let _e1449 = phi_2016_;
-                                                                let _e1452 = (_e1441.x - _e1433.x);
-                                                                let _e1455 = (_e1441.y - _e1433.y);
-                                                                let _e1458 = (_e1441.z - _e1433.z);
-                                                                let _e1460 = (_e1449.x - _e1433.x);
-                                                                let _e1462 = (_e1449.y - _e1433.y);
-                                                                let _e1464 = (_e1449.z - _e1433.z);
-                                                                if (_e218.member_1 == 1u) {
-                                                                    phi_2052_ = (vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]) - _e1433);
+                                                                let _e1631 = phi_2288_;
+                                                                let _e1634 = (_e1623.x - _e1615.x);
+                                                                let _e1637 = (_e1623.y - _e1615.y);
+                                                                let _e1640 = (_e1623.z - _e1615.z);
+                                                                let _e1642 = (_e1631.x - _e1615.x);
+                                                                let _e1644 = (_e1631.y - _e1615.y);
+                                                                let _e1646 = (_e1631.z - _e1615.z);
+                                                                if (_e220.member_1 == 1u) {
+                                                                    phi_2324_ = (vec3<f32>(_e220.member[0], _e220.member[1], _e220.member[2]) - _e1615);
                                                                 } else {
-                                                                    phi_2052_ = vec3<f32>(_e218.member[0], _e218.member[1], _e218.member[2]);
+                                                                    phi_2324_ = vec3<f32>(_e220.member[0], _e220.member[1], _e220.member[2]);
                                                                 }
-                                                                let _e1479 = phi_2052_;
-                                                                let _e1485 = bitcast<f32>((bitcast<u32>((_e1452 * _e1462)) ^ _e218.member_3[0]));
-                                                                let _e1489 = bitcast<f32>((bitcast<u32>((_e1455 * _e1460)) ^ _e218.member_3[0]));
-                                                                let _e1493 = bitcast<f32>((bitcast<u32>((_e1455 * _e1464)) ^ _e218.member_3[0]));
-                                                                let _e1497 = bitcast<f32>((bitcast<u32>((_e1458 * _e1462)) ^ _e218.member_3[0]));
-                                                                let _e1501 = bitcast<f32>((bitcast<u32>((_e1458 * _e1460)) ^ _e218.member_3[0]));
-                                                                let _e1505 = bitcast<f32>((bitcast<u32>((_e1452 * _e1464)) ^ _e218.member_3[0]));
-                                                                let _e1506 = (_e1493 - _e1497);
-                                                                let _e1507 = (_e1501 - _e1505);
-                                                                let _e1508 = (_e1485 - _e1489);
-                                                                let _e1532 = (bitcast<f32>((bitcast<u32>(_e1493) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1497) & 2147483647u)));
-                                                                let _e1539 = (bitcast<f32>((bitcast<u32>(_e1501) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1505) & 2147483647u)));
-                                                                let _e1546 = (bitcast<f32>((bitcast<u32>(_e1485) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1489) & 2147483647u)));
-                                                                if (_e218.member_2 == 0f) {
-                                                                    phi_2234_ = 0f;
+                                                                let _e1661 = phi_2324_;
+                                                                let _e1667 = bitcast<f32>((bitcast<u32>((_e1634 * _e1644)) ^ _e220.member_3[0]));
+                                                                let _e1671 = bitcast<f32>((bitcast<u32>((_e1637 * _e1642)) ^ _e220.member_3[0]));
+                                                                let _e1675 = bitcast<f32>((bitcast<u32>((_e1637 * _e1646)) ^ _e220.member_3[0]));
+                                                                let _e1679 = bitcast<f32>((bitcast<u32>((_e1640 * _e1644)) ^ _e220.member_3[0]));
+                                                                let _e1683 = bitcast<f32>((bitcast<u32>((_e1640 * _e1642)) ^ _e220.member_3[0]));
+                                                                let _e1687 = bitcast<f32>((bitcast<u32>((_e1634 * _e1646)) ^ _e220.member_3[0]));
+                                                                let _e1688 = (_e1675 - _e1679);
+                                                                let _e1689 = (_e1683 - _e1687);
+                                                                let _e1690 = (_e1667 - _e1671);
+                                                                let _e1714 = (bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u)));
+                                                                let _e1721 = (bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1687) & 2147483647u)));
+                                                                let _e1728 = (bitcast<f32>((bitcast<u32>(_e1667) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1671) & 2147483647u)));
+                                                                if (_e220.member_2 == 0f) {
+                                                                    phi_2506_ = 0f;
                                                                 } else {
-                                                                    let _e1576 = bitcast<f32>((bitcast<u32>(_e1506) & 2147483647u));
-                                                                    let _e1579 = bitcast<f32>((bitcast<u32>(_e1507) & 2147483647u));
-                                                                    let _e1582 = bitcast<f32>((bitcast<u32>(_e1508) & 2147483647u));
-                                                                    let _e1584 = select(_e1582, _e1579, (_e1579 > _e1582));
-                                                                    let _e1588 = select(_e1582, _e1579, (_e1579 < _e1582));
-                                                                    let _e1592 = select(_e1579, _e1576, (_e1576 < _e1579));
-                                                                    let _e1594 = select(_e1579, _e1576, (_e1576 > _e1579));
-                                                                    let _e1596 = select(_e1582, _e1594, (_e1594 < _e1582));
-                                                                    phi_2234_ = bitcast<f32>((bitcast<u32>((_e218.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1584, _e1576, (_e1576 > _e1584)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1596, _e1592, (_e1592 > _e1596)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1588, _e1576, (_e1576 < _e1588)))) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1532 + _e1539) + _e1546))) ^ _e218.member_3[0]))) * 1.0000005f)) ^ _e218.member_3[0])))) ^ _e218.member_3[0]));
+                                                                    let _e1758 = bitcast<f32>((bitcast<u32>(_e1688) & 2147483647u));
+                                                                    let _e1761 = bitcast<f32>((bitcast<u32>(_e1689) & 2147483647u));
+                                                                    let _e1764 = bitcast<f32>((bitcast<u32>(_e1690) & 2147483647u));
+                                                                    let _e1766 = select(_e1764, _e1761, (_e1761 > _e1764));
+                                                                    let _e1770 = select(_e1764, _e1761, (_e1761 < _e1764));
+                                                                    let _e1774 = select(_e1761, _e1758, (_e1758 < _e1761));
+                                                                    let _e1776 = select(_e1761, _e1758, (_e1758 > _e1761));
+                                                                    let _e1778 = select(_e1764, _e1776, (_e1776 < _e1764));
+                                                                    phi_2506_ = bitcast<f32>((bitcast<u32>((_e220.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1766, _e1758, (_e1758 > _e1766)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1778, _e1774, (_e1774 > _e1778)))) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1770, _e1758, (_e1758 < _e1770)))) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1714 + _e1721) + _e1728))) ^ _e220.member_3[0]))) * 1.0000005f)) ^ _e220.member_3[0])))) ^ _e220.member_3[0]));
                                                                 }
-                                                                let _e1623 = phi_2234_;
-                                                                phi_2252_ = (_e1425 || !(((((bitcast<f32>((bitcast<u32>((_e1479.x * _e1506)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1479.y * _e1507)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1479.z * _e1508)) ^ _e218.member_3[0]))) * f32(-(_e1424))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.x) & 2147483647u)) * _e1532)) ^ _e218.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.y) & 2147483647u)) * _e1539)) ^ _e218.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1479.z) & 2147483647u)) * _e1546)) ^ _e218.member_3[0]))))) ^ _e218.member_3[0])) + _e1623) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e1805 = phi_2506_;
+                                                                phi_2524_ = (_e1607 || !(((((bitcast<f32>((bitcast<u32>((_e1661.x * _e1688)) ^ _e220.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1661.y * _e1689)) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1661.z * _e1690)) ^ _e220.member_3[0]))) * f32(-(_e1606))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1661.x) & 2147483647u)) * _e1714)) ^ _e220.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1661.y) & 2147483647u)) * _e1721)) ^ _e220.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1661.z) & 2147483647u)) * _e1728)) ^ _e220.member_3[0]))))) ^ _e220.member_3[0])) + _e1805) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e1637 = phi_2252_;
-                                                            phi_2253_ = _e1637;
+                                                            let _e1819 = phi_2524_;
+                                                            phi_2525_ = _e1819;
                                                         }
-                                                        let _e1639 = phi_2253_;
-                                                        if _e1639 {
-                                                            phi_2258_ = type_40(_e959.member, true);
+                                                        let _e1821 = phi_2525_;
+                                                        if _e1821 {
+                                                            phi_2530_ = type_40(_e961.member, true);
                                                         } else {
-                                                            phi_2258_ = _e959;
+                                                            phi_2530_ = _e961;
                                                         }
-                                                        let _e1644 = phi_2258_;
-                                                        phi_2259_ = _e1644;
+                                                        let _e1826 = phi_2530_;
+                                                        phi_2531_ = _e1826;
                                                     } else {
-                                                        phi_2259_ = _e959;
+                                                        phi_2531_ = _e961;
                                                     }
-                                                    let _e1646 = phi_2259_;
-                                                    phi_1059_ = _e1646;
+                                                    let _e1828 = phi_2531_;
+                                                    phi_1064_ = _e1828;
                                                 } else {
-                                                    phi_1059_ = type_40();
+                                                    phi_1064_ = type_40();
                                                 }
-                                                let _e1648 = phi_1059_;
+                                                let _e1830 = phi_1064_;
                                                 continue;
                                                 continuing {
-                                                    phi_1058_ = _e1648;
-                                                    phi_1061_ = _e974;
-                                                    phi_3315_ = _e561;
-                                                    break if !(_e980);
+                                                    phi_1063_ = _e1830;
+                                                    phi_1066_ = _e976;
+                                                    phi_3587_ = _e563;
+                                                    break if !(_e982);
                                                 }
                                             }
-                                            let _e1651 = phi_3315_;
-                                            phi_3471_ = _e1651;
-                                            if _e1651 {
+                                            let _e1833 = phi_3587_;
+                                            phi_3771_ = _e1833;
+                                            if _e1833 {
                                                 break;
                                             }
-                                            let _e1653 = local_10;
-                                            phi_3475_ = _e1651;
-                                            let _e1833 = local_12;
-                                            phi_3209_ = _e1833;
-                                            phi_3210_ = _e602;
-                                            phi_3211_ = false;
-                                            phi_3212_ = select(_e606, 0u, _e1653.member_1);
+                                            let _e1835 = local_10;
+                                            phi_3775_ = _e1833;
+                                            let _e2032 = local_12;
+                                            phi_3481_ = _e2032;
+                                            phi_3482_ = _e604;
+                                            phi_3483_ = false;
+                                            phi_3484_ = select(_e608, 0u, _e1835.member_1);
                                         } else {
-                                            let _e616 = (_e602.member_1 < _e86);
-                                            if _e616 {
-                                                if _e616 {
+                                            let _e618 = (_e604.member_1 < _e88);
+                                            if _e618 {
+                                                if _e618 {
                                                 } else {
-                                                    phi_3471_ = true;
+                                                    phi_3771_ = true;
                                                     break;
                                                 }
-                                                let _e618 = global_9.member[_e602.member_1];
-                                                phi_2279_ = _e618;
+                                                let _e620 = global_9.member[_e604.member_1];
+                                                phi_2551_ = _e620;
                                             } else {
-                                                phi_2279_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
+                                                phi_2551_ = type_49(array<u32, 2>(0u, 0u), array<u32, 2>(0u, 0u), 2147483648u, 2147483648u);
                                             }
-                                            let _e620 = phi_2279_;
-                                            let _e635 = ((10u * _e351) & 31u);
-                                            let _e638 = ((_e620.member[0] >> bitcast<u32>(_e635)) & 1023u);
-                                            let _e643 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[0] - _e602.member.member[0]) * 0.0009775171f)) ^ _e129));
-                                            let _e649 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e638) * _e643)) ^ _e129)));
-                                            let _e653 = select(select(_e602.member.member_1[0], _e649, (_e649 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e638 == 1023u));
-                                            let _e655 = ((10u * _e350) & 31u);
-                                            let _e658 = ((_e620.member[0] >> bitcast<u32>(_e655)) & 1023u);
-                                            let _e663 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[1] - _e602.member.member[1]) * 0.0009775171f)) ^ _e129));
-                                            let _e669 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e658) * _e663)) ^ _e129)));
-                                            let _e673 = select(select(_e602.member.member_1[1], _e669, (_e669 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e658 == 1023u));
-                                            let _e675 = ((10u * _e352) & 31u);
-                                            let _e678 = ((_e620.member[0] >> bitcast<u32>(_e675)) & 1023u);
-                                            let _e683 = bitcast<f32>((bitcast<u32>(((_e602.member.member_1[2] - _e602.member.member[2]) * 0.0009775171f)) ^ _e129));
-                                            let _e689 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e678) * _e683)) ^ _e129)));
-                                            let _e693 = select(select(_e602.member.member_1[2], _e689, (_e689 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e678 == 1023u));
-                                            let _e696 = ((_e620.member[1] >> bitcast<u32>(_e635)) & 1023u);
-                                            let _e702 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e696) * _e643)) ^ _e129)));
-                                            let _e706 = select(select(_e602.member.member_1[0], _e702, (_e702 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e696 == 1023u));
-                                            let _e709 = ((_e620.member[1] >> bitcast<u32>(_e655)) & 1023u);
-                                            let _e715 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e709) * _e663)) ^ _e129)));
-                                            let _e719 = select(select(_e602.member.member_1[1], _e715, (_e715 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e709 == 1023u));
-                                            let _e722 = ((_e620.member[1] >> bitcast<u32>(_e675)) & 1023u);
-                                            let _e728 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e722) * _e683)) ^ _e129)));
-                                            let _e732 = select(select(_e602.member.member_1[2], _e728, (_e728 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e722 == 1023u));
-                                            let _e738 = ((_e620.member_1[0] >> bitcast<u32>(_e635)) & 1023u);
-                                            let _e744 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e738) * _e643)) ^ _e129)));
-                                            let _e748 = select(select(_e602.member.member_1[0], _e744, (_e744 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e738 == 1023u));
-                                            let _e751 = ((_e620.member_1[0] >> bitcast<u32>(_e655)) & 1023u);
-                                            let _e757 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e751) * _e663)) ^ _e129)));
-                                            let _e761 = select(select(_e602.member.member_1[1], _e757, (_e757 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e751 == 1023u));
-                                            let _e764 = ((_e620.member_1[0] >> bitcast<u32>(_e675)) & 1023u);
-                                            let _e770 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e764) * _e683)) ^ _e129)));
-                                            let _e774 = select(select(_e602.member.member_1[2], _e770, (_e770 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e764 == 1023u));
-                                            let _e777 = ((_e620.member_1[1] >> bitcast<u32>(_e635)) & 1023u);
-                                            let _e783 = (_e602.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e777) * _e643)) ^ _e129)));
-                                            let _e787 = select(select(_e602.member.member_1[0], _e783, (_e783 < _e602.member.member_1[0])), _e602.member.member_1[0], (_e777 == 1023u));
-                                            let _e790 = ((_e620.member_1[1] >> bitcast<u32>(_e655)) & 1023u);
-                                            let _e796 = (_e602.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e790) * _e663)) ^ _e129)));
-                                            let _e800 = select(select(_e602.member.member_1[1], _e796, (_e796 < _e602.member.member_1[1])), _e602.member.member_1[1], (_e790 == 1023u));
-                                            let _e803 = ((_e620.member_1[1] >> bitcast<u32>(_e675)) & 1023u);
-                                            let _e809 = (_e602.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e803) * _e683)) ^ _e129)));
-                                            let _e813 = select(select(_e602.member.member_1[2], _e809, (_e809 < _e602.member.member_1[2])), _e602.member.member_1[2], (_e803 == 1023u));
-                                            let _e818 = type_62(type_54(array<f32, 3>(_e653, _e673, _e693), array<f32, 3>(_e706, _e719, _e732)), _e620.member_2);
-                                            let _e823 = type_62(type_54(array<f32, 3>(_e748, _e761, _e774), array<f32, 3>(_e787, _e800, _e813)), _e620.member_3);
-                                            let _e829 = ((_e653 - _e406) * _e411);
-                                            let _e830 = ((_e748 - _e406) * _e411);
-                                            let _e831 = ((_e706 - _e407) * _e411);
-                                            let _e832 = ((_e787 - _e407) * _e411);
-                                            let _e837 = ((_e673 - _e442) * _e447);
-                                            let _e838 = ((_e761 - _e442) * _e447);
-                                            let _e839 = ((_e719 - _e443) * _e447);
-                                            let _e840 = ((_e800 - _e443) * _e447);
-                                            let _e845 = ((_e693 - _e478) * _e483);
-                                            let _e846 = ((_e774 - _e478) * _e483);
-                                            let _e847 = ((_e732 - _e479) * _e483);
-                                            let _e848 = ((_e813 - _e479) * _e483);
-                                            let _e850 = select(_e847, _e845, (_e845 < _e847));
-                                            let _e852 = select(_e848, _e846, (_e846 < _e848));
-                                            let _e854 = select(_e847, _e845, (_e845 > _e847));
-                                            let _e856 = select(_e848, _e846, (_e846 > _e848));
-                                            let _e858 = select(_e831, _e829, (_e829 < _e831));
-                                            let _e860 = select(_e832, _e830, (_e830 < _e832));
-                                            let _e862 = select(_e839, _e837, (_e837 < _e839));
-                                            let _e864 = select(_e840, _e838, (_e838 < _e840));
-                                            let _e866 = select(_e862, _e858, (_e858 > _e862));
+                                            let _e622 = phi_2551_;
+                                            let _e637 = ((10u * _e353) & 31u);
+                                            let _e640 = ((_e622.member[0] >> bitcast<u32>(_e637)) & 1023u);
+                                            let _e645 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[0] - _e604.member.member[0]) * 0.0009775171f)) ^ _e131));
+                                            let _e651 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e640) * _e645)) ^ _e131)));
+                                            let _e655 = select(select(_e604.member.member_1[0], _e651, (_e651 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e640 == 1023u));
+                                            let _e657 = ((10u * _e352) & 31u);
+                                            let _e660 = ((_e622.member[0] >> bitcast<u32>(_e657)) & 1023u);
+                                            let _e665 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[1] - _e604.member.member[1]) * 0.0009775171f)) ^ _e131));
+                                            let _e671 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e660) * _e665)) ^ _e131)));
+                                            let _e675 = select(select(_e604.member.member_1[1], _e671, (_e671 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e660 == 1023u));
+                                            let _e677 = ((10u * _e354) & 31u);
+                                            let _e680 = ((_e622.member[0] >> bitcast<u32>(_e677)) & 1023u);
+                                            let _e685 = bitcast<f32>((bitcast<u32>(((_e604.member.member_1[2] - _e604.member.member[2]) * 0.0009775171f)) ^ _e131));
+                                            let _e691 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e680) * _e685)) ^ _e131)));
+                                            let _e695 = select(select(_e604.member.member_1[2], _e691, (_e691 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e680 == 1023u));
+                                            let _e698 = ((_e622.member[1] >> bitcast<u32>(_e637)) & 1023u);
+                                            let _e704 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e698) * _e645)) ^ _e131)));
+                                            let _e708 = select(select(_e604.member.member_1[0], _e704, (_e704 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e698 == 1023u));
+                                            let _e711 = ((_e622.member[1] >> bitcast<u32>(_e657)) & 1023u);
+                                            let _e717 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e711) * _e665)) ^ _e131)));
+                                            let _e721 = select(select(_e604.member.member_1[1], _e717, (_e717 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e711 == 1023u));
+                                            let _e724 = ((_e622.member[1] >> bitcast<u32>(_e677)) & 1023u);
+                                            let _e730 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e724) * _e685)) ^ _e131)));
+                                            let _e734 = select(select(_e604.member.member_1[2], _e730, (_e730 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e724 == 1023u));
+                                            let _e740 = ((_e622.member_1[0] >> bitcast<u32>(_e637)) & 1023u);
+                                            let _e746 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e740) * _e645)) ^ _e131)));
+                                            let _e750 = select(select(_e604.member.member_1[0], _e746, (_e746 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e740 == 1023u));
+                                            let _e753 = ((_e622.member_1[0] >> bitcast<u32>(_e657)) & 1023u);
+                                            let _e759 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e753) * _e665)) ^ _e131)));
+                                            let _e763 = select(select(_e604.member.member_1[1], _e759, (_e759 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e753 == 1023u));
+                                            let _e766 = ((_e622.member_1[0] >> bitcast<u32>(_e677)) & 1023u);
+                                            let _e772 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e766) * _e685)) ^ _e131)));
+                                            let _e776 = select(select(_e604.member.member_1[2], _e772, (_e772 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e766 == 1023u));
+                                            let _e779 = ((_e622.member_1[1] >> bitcast<u32>(_e637)) & 1023u);
+                                            let _e785 = (_e604.member.member[0] + bitcast<f32>((bitcast<u32>((f32(_e779) * _e645)) ^ _e131)));
+                                            let _e789 = select(select(_e604.member.member_1[0], _e785, (_e785 < _e604.member.member_1[0])), _e604.member.member_1[0], (_e779 == 1023u));
+                                            let _e792 = ((_e622.member_1[1] >> bitcast<u32>(_e657)) & 1023u);
+                                            let _e798 = (_e604.member.member[1] + bitcast<f32>((bitcast<u32>((f32(_e792) * _e665)) ^ _e131)));
+                                            let _e802 = select(select(_e604.member.member_1[1], _e798, (_e798 < _e604.member.member_1[1])), _e604.member.member_1[1], (_e792 == 1023u));
+                                            let _e805 = ((_e622.member_1[1] >> bitcast<u32>(_e677)) & 1023u);
+                                            let _e811 = (_e604.member.member[2] + bitcast<f32>((bitcast<u32>((f32(_e805) * _e685)) ^ _e131)));
+                                            let _e815 = select(select(_e604.member.member_1[2], _e811, (_e811 < _e604.member.member_1[2])), _e604.member.member_1[2], (_e805 == 1023u));
+                                            let _e820 = type_62(type_54(array<f32, 3>(_e655, _e675, _e695), array<f32, 3>(_e708, _e721, _e734)), _e622.member_2);
+                                            let _e825 = type_62(type_54(array<f32, 3>(_e750, _e763, _e776), array<f32, 3>(_e789, _e802, _e815)), _e622.member_3);
+                                            let _e831 = ((_e655 - _e408) * _e413);
+                                            let _e832 = ((_e750 - _e408) * _e413);
+                                            let _e833 = ((_e708 - _e409) * _e413);
+                                            let _e834 = ((_e789 - _e409) * _e413);
+                                            let _e839 = ((_e675 - _e444) * _e449);
+                                            let _e840 = ((_e763 - _e444) * _e449);
+                                            let _e841 = ((_e721 - _e445) * _e449);
+                                            let _e842 = ((_e802 - _e445) * _e449);
+                                            let _e847 = ((_e695 - _e480) * _e485);
+                                            let _e848 = ((_e776 - _e480) * _e485);
+                                            let _e849 = ((_e734 - _e481) * _e485);
+                                            let _e850 = ((_e815 - _e481) * _e485);
+                                            let _e852 = select(_e849, _e847, (_e847 < _e849));
+                                            let _e854 = select(_e850, _e848, (_e848 < _e850));
+                                            let _e856 = select(_e849, _e847, (_e847 > _e849));
+                                            let _e858 = select(_e850, _e848, (_e848 > _e850));
+                                            let _e860 = select(_e833, _e831, (_e831 < _e833));
+                                            let _e862 = select(_e834, _e832, (_e832 < _e834));
+                                            let _e864 = select(_e841, _e839, (_e839 < _e841));
+                                            let _e866 = select(_e842, _e840, (_e840 < _e842));
                                             let _e868 = select(_e864, _e860, (_e860 > _e864));
-                                            let _e870 = select(_e850, _e866, (_e866 > _e850));
+                                            let _e870 = select(_e866, _e862, (_e862 > _e866));
                                             let _e872 = select(_e852, _e868, (_e868 > _e852));
-                                            let _e874 = select(_e831, _e829, (_e829 > _e831));
-                                            let _e876 = select(_e832, _e830, (_e830 > _e832));
-                                            let _e878 = select(_e839, _e837, (_e837 > _e839));
-                                            let _e880 = select(_e840, _e838, (_e838 > _e840));
-                                            let _e882 = select(_e878, _e874, (_e874 < _e878));
+                                            let _e874 = select(_e854, _e870, (_e870 > _e854));
+                                            let _e876 = select(_e833, _e831, (_e831 > _e833));
+                                            let _e878 = select(_e834, _e832, (_e832 > _e834));
+                                            let _e880 = select(_e841, _e839, (_e839 > _e841));
+                                            let _e882 = select(_e842, _e840, (_e840 > _e842));
                                             let _e884 = select(_e880, _e876, (_e876 < _e880));
-                                            let _e889 = -(_e850);
-                                            let _e890 = -(_e852);
-                                            let _e897 = (select(_e854, _e882, (_e882 < _e854)) + (select(_e889, _e854, (_e854 > _e889)) * 0.0000019073523f));
-                                            let _e898 = (select(_e856, _e884, (_e884 < _e856)) + (select(_e890, _e856, (_e856 > _e890)) * 0.0000019073523f));
-                                            let _e900 = select(_e529, _e870, (_e870 > _e529));
-                                            let _e902 = select(_e529, _e872, (_e872 > _e529));
-                                            let _e907 = (_e900 <= select(_e563.member, _e897, (_e897 < _e563.member)));
-                                            let _e908 = (_e902 <= select(_e563.member, _e898, (_e898 < _e563.member)));
-                                            let _e909 = (_e900 <= _e902);
-                                            if _e907 {
-                                                if _e908 {
-                                                    if _e909 {
-                                                        phi_3111_ = _e823;
+                                            let _e886 = select(_e882, _e878, (_e878 < _e882));
+                                            let _e891 = -(_e852);
+                                            let _e892 = -(_e854);
+                                            let _e899 = (select(_e856, _e884, (_e884 < _e856)) + (select(_e891, _e856, (_e856 > _e891)) * 0.0000019073523f));
+                                            let _e900 = (select(_e858, _e886, (_e886 < _e858)) + (select(_e892, _e858, (_e858 > _e892)) * 0.0000019073523f));
+                                            let _e902 = select(_e531, _e872, (_e872 > _e531));
+                                            let _e904 = select(_e531, _e874, (_e874 > _e531));
+                                            let _e909 = (_e902 <= select(_e565.member, _e899, (_e899 < _e565.member)));
+                                            let _e910 = (_e904 <= select(_e565.member, _e900, (_e900 < _e565.member)));
+                                            let _e911 = (_e902 <= _e904);
+                                            if _e909 {
+                                                if _e910 {
+                                                    if _e911 {
+                                                        phi_3383_ = _e825;
                                                     } else {
-                                                        phi_3111_ = _e818;
+                                                        phi_3383_ = _e820;
                                                     }
-                                                    let _e911 = phi_3111_;
-                                                    let _e919 = (_e606 % 128u);
-                                                    let _e920 = (_e919 < 128u);
-                                                    if _e920 {
+                                                    let _e913 = phi_3383_;
+                                                    let _e921 = (_e608 % 128u);
+                                                    let _e922 = (_e921 < 128u);
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e919] = _e911.member_1;
-                                                    if _e920 {
+                                                    local_6[_e921] = _e913.member_1;
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e919] = _e911.member.member[0];
-                                                    if _e920 {
+                                                    local_5[_e921] = _e913.member.member[0];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e919] = _e911.member.member[1];
-                                                    if _e920 {
+                                                    local_4[_e921] = _e913.member.member[1];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e919] = _e911.member.member[2];
-                                                    if _e920 {
+                                                    local_3[_e921] = _e913.member.member[2];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e919] = _e911.member.member_1[0];
-                                                    if _e920 {
+                                                    local_2[_e921] = _e913.member.member_1[0];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_1[_e919] = _e911.member.member_1[1];
-                                                    if _e920 {
+                                                    local_1[_e921] = _e913.member.member_1[1];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local[_e919] = _e911.member.member_1[2];
-                                                    if _e920 {
+                                                    local[_e921] = _e913.member.member_1[2];
+                                                    if _e922 {
                                                     } else {
-                                                        phi_3471_ = true;
+                                                        phi_3771_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e919] = select(_e902, _e900, (_e900 > _e902));
-                                                    if _e909 {
-                                                        phi_3188_ = _e818;
+                                                    local_7[_e921] = select(_e904, _e902, (_e902 > _e904));
+                                                    if _e911 {
+                                                        phi_3460_ = _e820;
                                                     } else {
-                                                        phi_3188_ = _e823;
+                                                        phi_3460_ = _e825;
                                                     }
-                                                    let _e937 = phi_3188_;
-                                                    phi_3189_ = _e937;
-                                                    phi_3190_ = (_e606 + 1u);
+                                                    let _e939 = phi_3460_;
+                                                    phi_3461_ = _e939;
+                                                    phi_3462_ = (_e608 + 1u);
                                                 } else {
-                                                    phi_3189_ = type_62();
-                                                    phi_3190_ = u32();
+                                                    phi_3461_ = type_62();
+                                                    phi_3462_ = u32();
                                                 }
-                                                let _e939 = phi_3189_;
-                                                let _e941 = phi_3190_;
-                                                phi_3192_ = _e939;
-                                                phi_3193_ = _e941;
-                                                phi_3194_ = select(true, false, _e908);
+                                                let _e941 = phi_3461_;
+                                                let _e943 = phi_3462_;
+                                                phi_3464_ = _e941;
+                                                phi_3465_ = _e943;
+                                                phi_3466_ = select(true, false, _e910);
                                             } else {
-                                                phi_3192_ = type_62();
-                                                phi_3193_ = u32();
-                                                phi_3194_ = true;
+                                                phi_3464_ = type_62();
+                                                phi_3465_ = u32();
+                                                phi_3466_ = true;
                                             }
-                                            let _e944 = phi_3192_;
-                                            let _e946 = phi_3193_;
-                                            let _e948 = phi_3194_;
-                                            if _e948 {
-                                                if _e907 {
-                                                    phi_3201_ = _e818;
+                                            let _e946 = phi_3464_;
+                                            let _e948 = phi_3465_;
+                                            let _e950 = phi_3466_;
+                                            if _e950 {
+                                                if _e909 {
+                                                    phi_3473_ = _e820;
                                                 } else {
-                                                    phi_3201_ = _e823;
+                                                    phi_3473_ = _e825;
                                                 }
-                                                let _e950 = phi_3201_;
-                                                phi_3206_ = _e950;
-                                                phi_3207_ = select(_e908, true, _e907);
+                                                let _e952 = phi_3473_;
+                                                phi_3478_ = _e952;
+                                                phi_3479_ = select(_e910, true, _e909);
                                             } else {
-                                                phi_3206_ = _e944;
-                                                phi_3207_ = _e604;
+                                                phi_3478_ = _e946;
+                                                phi_3479_ = _e606;
                                             }
-                                            let _e953 = phi_3206_;
-                                            let _e955 = phi_3207_;
-                                            phi_3475_ = _e561;
-                                            phi_3209_ = _e563;
-                                            phi_3210_ = _e953;
-                                            phi_3211_ = _e955;
-                                            phi_3212_ = select(_e946, _e606, _e948);
+                                            let _e955 = phi_3478_;
+                                            let _e957 = phi_3479_;
+                                            phi_3775_ = _e563;
+                                            phi_3481_ = _e565;
+                                            phi_3482_ = _e955;
+                                            phi_3483_ = _e957;
+                                            phi_3484_ = select(_e948, _e608, _e950);
                                         }
-                                        let _e1657 = phi_3475_;
-                                        let _e1659 = phi_3209_;
-                                        let _e1661 = phi_3210_;
-                                        let _e1663 = phi_3211_;
-                                        let _e1665 = phi_3212_;
-                                        phi_3474_ = _e1657;
-                                        phi_3213_ = _e1659;
-                                        phi_3214_ = _e1661;
-                                        phi_3215_ = (_e567 - 1u);
-                                        phi_3216_ = _e1663;
-                                        phi_3217_ = _e1665;
+                                        let _e1839 = phi_3775_;
+                                        let _e1841 = phi_3481_;
+                                        let _e1843 = phi_3482_;
+                                        let _e1845 = phi_3483_;
+                                        let _e1847 = phi_3484_;
+                                        phi_3774_ = _e1839;
+                                        phi_3485_ = _e1841;
+                                        phi_3486_ = _e1843;
+                                        phi_3487_ = (_e569 - 1u);
+                                        phi_3488_ = _e1845;
+                                        phi_3489_ = _e1847;
                                     } else {
-                                        phi_3474_ = _e561;
-                                        phi_3213_ = _e563;
-                                        phi_3214_ = _e602;
-                                        phi_3215_ = _e567;
-                                        phi_3216_ = _e604;
-                                        phi_3217_ = _e606;
+                                        phi_3774_ = _e563;
+                                        phi_3485_ = _e565;
+                                        phi_3486_ = _e604;
+                                        phi_3487_ = _e569;
+                                        phi_3488_ = _e606;
+                                        phi_3489_ = _e608;
                                     }
-                                    let _e1667 = phi_3474_;
-                                    let _e1669 = phi_3213_;
-                                    let _e1671 = phi_3214_;
-                                    let _e1673 = phi_3215_;
-                                    let _e1675 = phi_3216_;
-                                    let _e1677 = phi_3217_;
-                                    phi_3473_ = _e1667;
-                                    phi_3218_ = _e1669;
-                                    phi_3219_ = _e1671;
-                                    phi_3220_ = _e1673;
-                                    phi_3221_ = _e1675;
-                                    phi_3222_ = _e1677;
+                                    let _e1849 = phi_3774_;
+                                    let _e1851 = phi_3485_;
+                                    let _e1853 = phi_3486_;
+                                    let _e1855 = phi_3487_;
+                                    let _e1857 = phi_3488_;
+                                    let _e1859 = phi_3489_;
+                                    phi_3773_ = _e1849;
+                                    phi_3490_ = _e1851;
+                                    phi_3491_ = _e1853;
+                                    phi_3492_ = _e1855;
+                                    phi_3493_ = _e1857;
+                                    phi_3494_ = _e1859;
                                 } else {
-                                    phi_3473_ = _e561;
-                                    phi_3218_ = type_40();
-                                    phi_3219_ = type_62();
-                                    phi_3220_ = u32();
-                                    phi_3221_ = bool();
-                                    phi_3222_ = u32();
+                                    phi_3773_ = _e563;
+                                    phi_3490_ = type_40();
+                                    phi_3491_ = type_62();
+                                    phi_3492_ = u32();
+                                    phi_3493_ = bool();
+                                    phi_3494_ = u32();
                                 }
-                                let _e1679 = phi_3473_;
-                                let _e1681 = phi_3218_;
-                                let _e1683 = phi_3219_;
-                                let _e1685 = phi_3220_;
-                                let _e1687 = phi_3221_;
-                                let _e1689 = phi_3222_;
-                                phi_3472_ = _e1679;
-                                phi_932_ = _e1681;
-                                phi_935_ = _e1683;
-                                phi_937_ = _e1685;
-                                phi_939_ = _e1687;
-                                phi_941_ = _e1689;
-                                phi_3223_ = _e575;
+                                let _e1861 = phi_3773_;
+                                let _e1863 = phi_3490_;
+                                let _e1865 = phi_3491_;
+                                let _e1867 = phi_3492_;
+                                let _e1869 = phi_3493_;
+                                let _e1871 = phi_3494_;
+                                phi_3772_ = _e1861;
+                                phi_937_ = _e1863;
+                                phi_940_ = _e1865;
+                                phi_942_ = _e1867;
+                                phi_944_ = _e1869;
+                                phi_946_ = _e1871;
+                                phi_3495_ = _e577;
                             } else {
-                                phi_3472_ = _e561;
-                                phi_932_ = type_40();
-                                phi_935_ = type_62();
-                                phi_937_ = u32();
-                                phi_939_ = bool();
-                                phi_941_ = u32();
-                                phi_3223_ = false;
+                                phi_3772_ = _e563;
+                                phi_937_ = type_40();
+                                phi_940_ = type_62();
+                                phi_942_ = u32();
+                                phi_944_ = bool();
+                                phi_946_ = u32();
+                                phi_3495_ = false;
                             }
-                            let _e1691 = phi_3472_;
-                            let _e1693 = phi_932_;
-                            let _e1695 = phi_935_;
-                            let _e1697 = phi_937_;
-                            let _e1699 = phi_939_;
-                            let _e1701 = phi_941_;
-                            let _e1703 = phi_3223_;
+                            let _e1873 = phi_3772_;
+                            let _e1875 = phi_937_;
+                            let _e1877 = phi_940_;
+                            let _e1879 = phi_942_;
+                            let _e1881 = phi_944_;
+                            let _e1883 = phi_946_;
+                            let _e1885 = phi_3495_;
                             continue;
                             continuing {
-                                phi_3321_ = _e1691;
-                                phi_931_ = _e1693;
-                                phi_934_ = _e1695;
-                                phi_936_ = _e1697;
-                                phi_938_ = _e1699;
-                                phi_940_ = _e1701;
-                                phi_3471_ = _e1691;
-                                break if !(_e1703);
+                                phi_3593_ = _e1873;
+                                phi_936_ = _e1875;
+                                phi_939_ = _e1877;
+                                phi_941_ = _e1879;
+                                phi_943_ = _e1881;
+                                phi_945_ = _e1883;
+                                phi_3771_ = _e1873;
+                                break if !(_e1885);
                             }
                         }
-                        let _e1706 = phi_3471_;
-                        if _e1706 {
+                        let _e1888 = phi_3771_;
+                        if _e1888 {
                             break;
                         }
-                        let _e1708 = local_11;
-                        if _e1708.member_1 {
+                        let _e1890 = local_11;
+                        if _e1890.member_1 {
                         } else {
-                            if _e219 {
+                            if _e221 {
                             } else {
                                 break;
                             }
-                            let _e1712 = global_2.member[_e133];
-                            if _e140 {
+                            let _e1894 = global_2.member[_e135];
+                            if _e142 {
                             } else {
                                 break;
                             }
-                            let _e1716 = global_8.member[_e133].member_1;
-                            if _e219 {
+                            let _e1898 = global_8.member[_e135].member_1;
+                            if _e221 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e133] = type_24(_e1712.member, _e1712.member_1, _e1712.member_2, array<f32, 3>((_e1712.member_3[0] + (_e1716[0] * _e1712.member_1[0])), (_e1712.member_3[1] + (_e1716[1] * _e1712.member_1[1])), (_e1712.member_3[2] + (_e1716[2] * _e1712.member_1[2]))), _e1712.member_4);
+                            global_2.member[_e135] = type_24(_e1894.member, _e1894.member_1, _e1894.member_2, array<f32, 3>((_e1894.member_3[0] + (_e1898[0] * _e1894.member_1[0])), (_e1894.member_3[1] + (_e1898[1] * _e1894.member_1[1])), (_e1894.member_3[2] + (_e1898[2] * _e1894.member_1[2]))), _e1894.member_4);
                         }
                     }
                 }

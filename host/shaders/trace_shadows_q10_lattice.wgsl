@@ -124,477 +124,494 @@ fn function_() {
     var local_7: array<f32, 128>;
     var local_8: array<u32, 128>;
     var local_9: array<f32, 128>;
-    var phi_328_: u32;
-    var phi_372_: i32;
-    var phi_396_: type_40;
-    var phi_546_: i32;
-    var phi_547_: i32;
-    var phi_557_: bool;
-    var phi_567_: u32;
-    var phi_568_: u32;
-    var phi_570_: bool;
-    var phi_575_: u32;
-    var phi_607_: i32;
-    var phi_625_: f32;
+    var phi_334_: u32;
+    var phi_378_: i32;
+    var phi_402_: type_40;
+    var phi_552_: i32;
+    var phi_553_: i32;
+    var phi_563_: bool;
+    var phi_573_: u32;
+    var phi_574_: u32;
+    var phi_576_: bool;
+    var phi_581_: u32;
+    var phi_613_: i32;
     var phi_631_: f32;
-    var phi_642_: f32;
+    var phi_637_: f32;
     var phi_648_: f32;
-    var phi_671_: f32;
-    var phi_682_: f32;
-    var phi_691_: f32;
+    var phi_654_: f32;
+    var phi_677_: f32;
+    var phi_688_: f32;
     var phi_697_: f32;
-    var phi_708_: f32;
+    var phi_703_: f32;
     var phi_714_: f32;
-    var phi_737_: f32;
-    var phi_748_: f32;
-    var phi_757_: f32;
+    var phi_720_: f32;
+    var phi_743_: f32;
+    var phi_754_: f32;
     var phi_763_: f32;
-    var phi_774_: f32;
+    var phi_769_: f32;
     var phi_780_: f32;
-    var phi_803_: f32;
-    var phi_814_: f32;
-    var phi_914_: f32;
-    var phi_915_: f32;
-    var phi_4266_: bool;
-    var phi_1004_: type_46;
-    var phi_1007_: type_58;
-    var phi_1009_: u32;
-    var phi_1011_: bool;
-    var phi_1013_: u32;
-    var phi_1024_: bool;
-    var phi_1110_: type_58;
-    var phi_1111_: bool;
-    var phi_1112_: u32;
-    var phi_3259_: u32;
-    var phi_3265_: u32;
-    var phi_3519_: u32;
-    var phi_3520_: u32;
-    var phi_3530_: u32;
+    var phi_786_: f32;
+    var phi_809_: f32;
+    var phi_820_: f32;
+    var phi_920_: f32;
+    var phi_921_: f32;
+    var phi_4539_: bool;
+    var phi_1010_: type_46;
+    var phi_1013_: type_58;
+    var phi_1015_: u32;
+    var phi_1017_: bool;
+    var phi_1019_: u32;
+    var phi_1030_: bool;
+    var phi_1116_: type_58;
+    var phi_1117_: bool;
+    var phi_1118_: u32;
     var phi_3532_: u32;
-    var phi_3533_: bool;
-    var phi_3553_: u32;
-    var phi_3554_: u32;
-    var phi_3558_: type_59;
-    var phi_3902_: type_58;
-    var phi_3979_: type_58;
-    var phi_3980_: type_58;
-    var phi_3981_: u32;
-    var phi_3983_: type_58;
-    var phi_3984_: u32;
-    var phi_3985_: bool;
-    var phi_3994_: type_58;
-    var phi_3999_: type_58;
-    var phi_4000_: bool;
-    var phi_1131_: type_46;
-    var phi_1134_: type_8;
-    var phi_1135_: type_8;
-    var phi_1157_: type_8;
-    var phi_1198_: u32;
+    var phi_3538_: u32;
+    var phi_3792_: u32;
+    var phi_3793_: u32;
+    var phi_3803_: u32;
+    var phi_3805_: u32;
+    var phi_3806_: bool;
+    var phi_3826_: u32;
+    var phi_3827_: u32;
+    var phi_3831_: type_59;
+    var phi_4175_: type_58;
+    var phi_4252_: type_58;
+    var phi_4253_: type_58;
+    var phi_4254_: u32;
+    var phi_4256_: type_58;
+    var phi_4257_: u32;
+    var phi_4258_: bool;
+    var phi_4267_: type_58;
+    var phi_4272_: type_58;
+    var phi_4273_: bool;
+    var phi_1137_: type_46;
+    var phi_1140_: type_8;
+    var phi_1141_: type_8;
+    var phi_1163_: type_8;
     var phi_1204_: u32;
-    var phi_1214_: u32;
-    var phi_1230_: u32;
-    var phi_1263_: u32;
+    var phi_1210_: u32;
+    var phi_1220_: u32;
+    var phi_1236_: u32;
     var phi_1269_: u32;
-    var phi_1696_: u32;
-    var phi_1714_: u32;
-    var phi_1732_: u32;
-    var phi_1752_: u32;
-    var phi_1770_: u32;
-    var phi_1788_: u32;
-    var phi_1808_: u32;
-    var phi_1826_: u32;
-    var phi_1844_: u32;
-    var phi_1422_: u32;
-    var phi_1437_: u32;
-    var phi_1447_: u32;
-    var phi_1467_: u32;
-    var phi_1487_: u32;
-    var phi_1513_: u32;
-    var phi_1528_: u32;
-    var phi_1538_: u32;
-    var phi_1558_: u32;
-    var phi_1578_: u32;
-    var phi_1604_: u32;
-    var phi_1619_: u32;
-    var phi_1629_: u32;
-    var phi_1649_: u32;
-    var phi_1669_: u32;
-    var phi_1293_: u32;
-    var phi_1336_: u32;
-    var phi_1379_: u32;
-    var phi_1850_: array<array<f32, 3>, 3>;
-    var phi_2321_: vec3<f32>;
-    var phi_2322_: vec3<f32>;
-    var phi_2353_: bool;
-    var phi_2362_: vec3<f32>;
-    var phi_2402_: type_25;
-    var phi_2404_: type_25;
-    var phi_2405_: bool;
-    var phi_2409_: type_25;
-    var phi_2410_: type_25;
-    var phi_2411_: type_25;
-    var phi_2412_: bool;
-    var phi_2416_: type_25;
-    var phi_2417_: bool;
-    var phi_2421_: type_25;
-    var phi_2422_: bool;
-    var phi_2426_: type_25;
-    var phi_2449_: u32;
-    var phi_2463_: i32;
-    var phi_2483_: vec3<f32>;
-    var phi_2484_: vec3<f32>;
-    var phi_2500_: vec3<f32>;
-    var phi_2501_: vec3<f32>;
-    var phi_2517_: vec3<f32>;
-    var phi_2518_: vec3<f32>;
-    var phi_2554_: vec3<f32>;
-    var phi_2736_: f32;
-    var phi_2754_: bool;
-    var phi_2755_: bool;
-    var phi_2760_: type_46;
-    var phi_2761_: type_46;
-    var phi_1132_: type_46;
-    var phi_4260_: bool;
+    var phi_1275_: u32;
+    var phi_1702_: u32;
+    var phi_1720_: u32;
+    var phi_1738_: u32;
+    var phi_1758_: u32;
+    var phi_1776_: u32;
+    var phi_1794_: u32;
+    var phi_1814_: u32;
+    var phi_1832_: u32;
+    var phi_1850_: u32;
+    var phi_1428_: u32;
+    var phi_1443_: u32;
+    var phi_1453_: u32;
+    var phi_1473_: u32;
+    var phi_1493_: u32;
+    var phi_1519_: u32;
+    var phi_1534_: u32;
+    var phi_1544_: u32;
+    var phi_1564_: u32;
+    var phi_1584_: u32;
+    var phi_1610_: u32;
+    var phi_1625_: u32;
+    var phi_1635_: u32;
+    var phi_1655_: u32;
+    var phi_1675_: u32;
+    var phi_1299_: u32;
+    var phi_1342_: u32;
+    var phi_1385_: u32;
+    var phi_1856_: array<array<f32, 3>, 3>;
+    var phi_1973_: bool;
+    var phi_2002_: bool;
+    var phi_2403_: f32;
+    var phi_2404_: f32;
+    var phi_2405_: f32;
+    var phi_2406_: f32;
+    var phi_2407_: vec3<f32>;
+    var phi_2408_: vec3<f32>;
+    var phi_2409_: vec3<f32>;
+    var phi_2410_: vec3<f32>;
+    var phi_2441_: bool;
+    var phi_2450_: vec3<f32>;
+    var phi_2617_: bool;
+    var phi_2641_: f32;
+    var phi_2642_: f32;
+    var phi_2665_: type_25;
+    var phi_2667_: type_25;
+    var phi_2668_: bool;
+    var phi_2672_: type_25;
+    var phi_2673_: type_25;
+    var phi_2674_: type_25;
+    var phi_2675_: bool;
+    var phi_2679_: type_25;
+    var phi_2680_: bool;
+    var phi_2681_: type_25;
+    var phi_2682_: bool;
+    var phi_2683_: bool;
+    var phi_2684_: type_25;
+    var phi_2685_: bool;
+    var phi_2686_: bool;
+    var phi_2694_: type_25;
+    var phi_2695_: bool;
+    var phi_2699_: type_25;
+    var phi_2722_: u32;
+    var phi_2736_: i32;
+    var phi_2756_: vec3<f32>;
+    var phi_2757_: vec3<f32>;
+    var phi_2773_: vec3<f32>;
+    var phi_2774_: vec3<f32>;
+    var phi_2790_: vec3<f32>;
+    var phi_2791_: vec3<f32>;
+    var phi_2827_: vec3<f32>;
+    var phi_3009_: f32;
+    var phi_3027_: bool;
+    var phi_3028_: bool;
+    var phi_3033_: type_46;
+    var phi_3034_: type_46;
+    var phi_1138_: type_46;
+    var phi_4533_: bool;
     var local_10: type_46;
-    var phi_4449_: bool;
-    var phi_4002_: type_46;
-    var phi_4003_: type_58;
-    var phi_4004_: bool;
-    var phi_4005_: u32;
-    var phi_4448_: bool;
-    var phi_4006_: type_46;
-    var phi_4007_: type_58;
-    var phi_4008_: u32;
-    var phi_4009_: bool;
-    var phi_4010_: u32;
-    var phi_4447_: bool;
-    var phi_4011_: type_46;
-    var phi_4012_: type_58;
-    var phi_4013_: u32;
-    var phi_4014_: bool;
-    var phi_4015_: u32;
-    var phi_4446_: bool;
-    var phi_1005_: type_46;
-    var phi_1008_: type_58;
-    var phi_1010_: u32;
-    var phi_1012_: bool;
-    var phi_1014_: u32;
-    var phi_4016_: bool;
-    var phi_4445_: bool;
+    var phi_4750_: bool;
+    var phi_4275_: type_46;
+    var phi_4276_: type_58;
+    var phi_4277_: bool;
+    var phi_4278_: u32;
+    var phi_4749_: bool;
+    var phi_4279_: type_46;
+    var phi_4280_: type_58;
+    var phi_4281_: u32;
+    var phi_4282_: bool;
+    var phi_4283_: u32;
+    var phi_4748_: bool;
+    var phi_4284_: type_46;
+    var phi_4285_: type_58;
+    var phi_4286_: u32;
+    var phi_4287_: bool;
+    var phi_4288_: u32;
+    var phi_4747_: bool;
+    var phi_1011_: type_46;
+    var phi_1014_: type_58;
+    var phi_1016_: u32;
+    var phi_1018_: bool;
+    var phi_1020_: u32;
+    var phi_4289_: bool;
+    var phi_4746_: bool;
     var local_11: type_46;
     var local_12: type_46;
 
     switch bitcast<i32>(0u) {
         default: {
-            let _e98 = global;
-            let _e100 = arrayLength((&global_5.member));
-            let _e103 = arrayLength((&global_10.member));
-            let _e115 = arrayLength((&global_8.member));
-            let _e119 = global_4.member[0u][0u];
-            let _e123 = global_4.member[0u][1u];
-            let _e127 = global_4.member[0u][2u];
-            let _e131 = global_4.member[0u][3u];
-            let _e135 = global_4.member[1u][0u];
-            let _e139 = global_4.member[1u][1u];
-            let _e143 = global_4.member[1u][2u];
-            let _e147 = (_e98.x + (_e98.y * 2097152u));
-            let _e159 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e131) + 127i)) << bitcast<u32>(23i)));
-            local_1 = array<i32, 3>(bitcast<i32>(_e119), bitcast<i32>(_e123), bitcast<i32>(_e127));
-            local = array<i32, 3>(bitcast<i32>(_e135), bitcast<i32>(_e139), bitcast<i32>(_e143));
-            let _e162 = (_e147 < arrayLength((&global_9.member)));
-            if _e162 {
-                if _e162 {
+            let _e100 = global;
+            let _e102 = arrayLength((&global_5.member));
+            let _e105 = arrayLength((&global_10.member));
+            let _e117 = arrayLength((&global_8.member));
+            let _e121 = global_4.member[0u][0u];
+            let _e125 = global_4.member[0u][1u];
+            let _e129 = global_4.member[0u][2u];
+            let _e133 = global_4.member[0u][3u];
+            let _e137 = global_4.member[1u][0u];
+            let _e141 = global_4.member[1u][1u];
+            let _e145 = global_4.member[1u][2u];
+            let _e149 = (_e100.x + (_e100.y * 2097152u));
+            let _e161 = bitcast<f32>((bitcast<u32>((bitcast<i32>(_e133) + 127i)) << bitcast<u32>(23i)));
+            local_1 = array<i32, 3>(bitcast<i32>(_e121), bitcast<i32>(_e125), bitcast<i32>(_e129));
+            local = array<i32, 3>(bitcast<i32>(_e137), bitcast<i32>(_e141), bitcast<i32>(_e145));
+            let _e164 = (_e149 < arrayLength((&global_9.member)));
+            if _e164 {
+                if _e164 {
                 } else {
                     break;
                 }
-                let _e166 = global_9.member[_e147].member_2;
-                phi_328_ = _e166;
+                let _e168 = global_9.member[_e149].member_2;
+                phi_334_ = _e168;
             } else {
-                phi_328_ = 4294967295u;
+                phi_334_ = 4294967295u;
             }
-            let _e168 = phi_328_;
-            let _e171 = global_1.member[0u];
-            let _e175 = global_3.member[0u][0u];
-            let _e179 = global_3.member[0u][1u];
-            let _e183 = global_3.member[0u][2u];
-            let _e187 = global_3.member[0u][3u];
-            let _e191 = global_3.member[1u][0u];
-            let _e195 = global_3.member[1u][1u];
-            let _e199 = global_3.member[1u][2u];
-            let _e203 = global_3.member[1u][3u];
-            let _e204 = bitcast<f32>(_e175);
-            let _e205 = bitcast<f32>(_e179);
-            let _e206 = bitcast<f32>(_e183);
-            let _e208 = bitcast<f32>(_e191);
-            let _e209 = array<u32, 3>(_e195, _e199, _e203);
-            let _e211 = bitcast<i32>(_e171);
-            if (_e211 < -126i) {
-                phi_372_ = -126i;
+            let _e170 = phi_334_;
+            let _e173 = global_1.member[0u];
+            let _e177 = global_3.member[0u][0u];
+            let _e181 = global_3.member[0u][1u];
+            let _e185 = global_3.member[0u][2u];
+            let _e189 = global_3.member[0u][3u];
+            let _e193 = global_3.member[1u][0u];
+            let _e197 = global_3.member[1u][1u];
+            let _e201 = global_3.member[1u][2u];
+            let _e205 = global_3.member[1u][3u];
+            let _e206 = bitcast<f32>(_e177);
+            let _e207 = bitcast<f32>(_e181);
+            let _e208 = bitcast<f32>(_e185);
+            let _e210 = bitcast<f32>(_e193);
+            let _e211 = array<u32, 3>(_e197, _e201, _e205);
+            let _e213 = bitcast<i32>(_e173);
+            if (_e213 < -126i) {
+                phi_378_ = -126i;
             } else {
-                phi_372_ = select(_e211, 127i, (_e211 > 127i));
+                phi_378_ = select(_e213, 127i, (_e213 > 127i));
             }
-            let _e216 = phi_372_;
-            let _e221 = bitcast<f32>((bitcast<u32>((_e216 + 127i)) << bitcast<u32>(23i)));
-            let _e227 = bitcast<f32>((bitcast<u32>(((_e211 - _e216) + 127i)) << bitcast<u32>(23i)));
-            if (_e187 == 0u) {
-                phi_396_ = type_40(array<f32, 3>(_e204, _e205, _e206), _e187, _e208, _e209);
+            let _e218 = phi_378_;
+            let _e223 = bitcast<f32>((bitcast<u32>((_e218 + 127i)) << bitcast<u32>(23i)));
+            let _e229 = bitcast<f32>((bitcast<u32>(((_e213 - _e218) + 127i)) << bitcast<u32>(23i)));
+            if (_e189 == 0u) {
+                phi_402_ = type_40(array<f32, 3>(_e206, _e207, _e208), _e189, _e210, _e211);
             } else {
-                phi_396_ = type_40(array<f32, 3>(((_e204 * _e221) * _e227), ((_e205 * _e221) * _e227), ((_e206 * _e221) * _e227)), _e187, ((_e208 * _e221) * _e227), _e209);
+                phi_402_ = type_40(array<f32, 3>(((_e206 * _e223) * _e229), ((_e207 * _e223) * _e229), ((_e208 * _e223) * _e229)), _e189, ((_e210 * _e223) * _e229), _e211);
             }
-            let _e240 = phi_396_;
-            if _e162 {
-                let _e241 = (_e147 < arrayLength((&global_2.member)));
-                if _e241 {
-                    if _e162 {
+            let _e242 = phi_402_;
+            if _e164 {
+                let _e243 = (_e149 < arrayLength((&global_2.member)));
+                if _e243 {
+                    if _e164 {
                     } else {
                         break;
                     }
-                    let _e246 = global_9.member[_e147].member.member_1;
-                    let _e251 = global_9.member[_e147].member.member_3;
-                    if (_e246 <= _e251) {
-                        let _e253 = (1u < _e115);
-                        if _e253 {
-                            if (0u < _e115) {
+                    let _e248 = global_9.member[_e149].member.member_1;
+                    let _e253 = global_9.member[_e149].member.member_3;
+                    if (_e248 <= _e253) {
+                        let _e255 = (1u < _e117);
+                        if _e255 {
+                            if (0u < _e117) {
                             } else {
                                 break;
                             }
-                            let _e257 = atomicAdd((&global_8.member[0u]), 1u);
-                            if ((_e257 + 1u) < _e257) {
-                                if _e253 {
+                            let _e259 = atomicAdd((&global_8.member[0u]), 1u);
+                            if ((_e259 + 1u) < _e259) {
+                                if _e255 {
                                 } else {
                                     break;
                                 }
-                                let _e262 = atomicAdd((&global_8.member[1u]), 1u);
+                                let _e264 = atomicAdd((&global_8.member[1u]), 1u);
                             }
                         }
-                        if _e162 {
+                        if _e164 {
                         } else {
                             break;
                         }
-                        let _e272 = global_9.member[_e147].member.member_2[0u];
-                        let _e274 = (bitcast<u32>(_e272) & 2147483647u);
-                        let _e280 = global_9.member[_e147].member.member_2[1u];
-                        let _e282 = (bitcast<u32>(_e280) & 2147483647u);
-                        let _e288 = global_9.member[_e147].member.member_2[2u];
-                        let _e290 = (bitcast<u32>(_e288) & 2147483647u);
-                        let _e296 = global_9.member[_e147].member.member[0u];
-                        let _e298 = (bitcast<u32>(_e296) & 2147483647u);
-                        let _e304 = global_9.member[_e147].member.member[1u];
-                        let _e306 = (bitcast<u32>(_e304) & 2147483647u);
-                        let _e312 = global_9.member[_e147].member.member[2u];
-                        let _e314 = (bitcast<u32>(_e312) & 2147483647u);
-                        let _e316 = select(_e282, _e274, (_e282 < _e274));
-                        let _e318 = select(_e290, _e316, (_e290 < _e316));
-                        let _e320 = select(_e298, _e318, (_e298 < _e318));
-                        let _e322 = select(_e306, _e320, (_e306 < _e320));
-                        let _e324 = select(_e314, _e322, (_e314 < _e322));
-                        let _e326 = (bitcast<u32>(_e246) & 2147483647u);
-                        let _e335 = (((select(_e326, _e324, (_e326 < _e324)) < 2139095040u) && ((bitcast<u32>(_e251) & 2147483647u) <= 2139095040u)) && (_e318 > 0u));
-                        if _e335 {
-                            let _e338 = (bitcast<u32>(bitcast<f32>(_e318)) & 2147483647u);
-                            if (_e338 >= 8388608u) {
-                                phi_546_ = (bitcast<i32>((_e338 >> bitcast<u32>(23i))) - 127i);
+                        let _e274 = global_9.member[_e149].member.member_2[0u];
+                        let _e276 = (bitcast<u32>(_e274) & 2147483647u);
+                        let _e282 = global_9.member[_e149].member.member_2[1u];
+                        let _e284 = (bitcast<u32>(_e282) & 2147483647u);
+                        let _e290 = global_9.member[_e149].member.member_2[2u];
+                        let _e292 = (bitcast<u32>(_e290) & 2147483647u);
+                        let _e298 = global_9.member[_e149].member.member[0u];
+                        let _e300 = (bitcast<u32>(_e298) & 2147483647u);
+                        let _e306 = global_9.member[_e149].member.member[1u];
+                        let _e308 = (bitcast<u32>(_e306) & 2147483647u);
+                        let _e314 = global_9.member[_e149].member.member[2u];
+                        let _e316 = (bitcast<u32>(_e314) & 2147483647u);
+                        let _e318 = select(_e284, _e276, (_e284 < _e276));
+                        let _e320 = select(_e292, _e318, (_e292 < _e318));
+                        let _e322 = select(_e300, _e320, (_e300 < _e320));
+                        let _e324 = select(_e308, _e322, (_e308 < _e322));
+                        let _e326 = select(_e316, _e324, (_e316 < _e324));
+                        let _e328 = (bitcast<u32>(_e248) & 2147483647u);
+                        let _e337 = (((select(_e328, _e326, (_e328 < _e326)) < 2139095040u) && ((bitcast<u32>(_e253) & 2147483647u) <= 2139095040u)) && (_e320 > 0u));
+                        if _e337 {
+                            let _e340 = (bitcast<u32>(bitcast<f32>(_e320)) & 2147483647u);
+                            if (_e340 >= 8388608u) {
+                                phi_552_ = (bitcast<i32>((_e340 >> bitcast<u32>(23i))) - 127i);
                             } else {
-                                phi_546_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e338)), 32u, (_e338 == 0u))));
+                                phi_552_ = (-118i - bitcast<i32>(select((bitcast<u32>(31i) - firstLeadingBit(_e340)), 32u, (_e340 == 0u))));
                             }
-                            let _e352 = phi_546_;
-                            phi_547_ = _e352;
+                            let _e354 = phi_552_;
+                            phi_553_ = _e354;
                         } else {
-                            phi_547_ = 0i;
+                            phi_553_ = 0i;
                         }
-                        let _e354 = phi_547_;
-                        let _e355 = (_e274 == _e318);
-                        if _e355 {
-                            phi_557_ = true;
+                        let _e356 = phi_553_;
+                        let _e357 = (_e276 == _e320);
+                        if _e357 {
+                            phi_563_ = true;
                         } else {
-                            phi_557_ = (_e282 == _e318);
+                            phi_563_ = (_e284 == _e320);
                         }
-                        let _e358 = phi_557_;
-                        let _e359 = select(1u, 0u, _e355);
-                        if _e358 {
-                            let _e360 = (_e359 + 1u);
-                            phi_567_ = _e360;
-                            phi_568_ = _e360;
-                            phi_570_ = select(true, false, (_e360 == 2u));
+                        let _e360 = phi_563_;
+                        let _e361 = select(1u, 0u, _e357);
+                        if _e360 {
+                            let _e362 = (_e361 + 1u);
+                            phi_573_ = _e362;
+                            phi_574_ = _e362;
+                            phi_576_ = select(true, false, (_e362 == 2u));
                         } else {
-                            phi_567_ = u32();
-                            phi_568_ = 0u;
-                            phi_570_ = true;
+                            phi_573_ = u32();
+                            phi_574_ = 0u;
+                            phi_576_ = true;
                         }
-                        let _e364 = phi_567_;
-                        let _e366 = phi_568_;
-                        let _e368 = phi_570_;
-                        if _e368 {
-                            phi_575_ = (_e366 + 1u);
+                        let _e366 = phi_573_;
+                        let _e368 = phi_574_;
+                        let _e370 = phi_576_;
+                        if _e370 {
+                            phi_581_ = (_e368 + 1u);
                         } else {
-                            phi_575_ = 0u;
+                            phi_581_ = 0u;
                         }
-                        let _e372 = phi_575_;
-                        let _e373 = select(_e364, _e366, _e368);
-                        let _e374 = select(_e359, select(2u, _e359, _e358), _e368);
-                        let _e375 = -(_e354);
-                        if (_e375 < -126i) {
-                            phi_607_ = -126i;
+                        let _e374 = phi_581_;
+                        let _e375 = select(_e366, _e368, _e370);
+                        let _e376 = select(_e361, select(2u, _e361, _e360), _e370);
+                        let _e377 = -(_e356);
+                        if (_e377 < -126i) {
+                            phi_613_ = -126i;
                         } else {
-                            phi_607_ = select(_e375, 127i, (_e375 > 127i));
+                            phi_613_ = select(_e377, 127i, (_e377 > 127i));
                         }
-                        let _e380 = phi_607_;
-                        let _e385 = bitcast<f32>((bitcast<u32>((_e380 + 127i)) << bitcast<u32>(23i)));
-                        let _e391 = bitcast<f32>((bitcast<u32>(((_e375 - _e380) + 127i)) << bitcast<u32>(23i)));
-                        let _e396 = global_9.member[_e147].member.member;
-                        let _e397 = (_e373 == 0u);
-                        if _e397 {
-                            phi_625_ = _e396[0];
+                        let _e382 = phi_613_;
+                        let _e387 = bitcast<f32>((bitcast<u32>((_e382 + 127i)) << bitcast<u32>(23i)));
+                        let _e393 = bitcast<f32>((bitcast<u32>(((_e377 - _e382) + 127i)) << bitcast<u32>(23i)));
+                        let _e398 = global_9.member[_e149].member.member;
+                        let _e399 = (_e375 == 0u);
+                        if _e399 {
+                            phi_631_ = _e398[0];
                         } else {
-                            phi_625_ = _e396[1];
+                            phi_631_ = _e398[1];
                         }
-                        let _e401 = phi_625_;
-                        let _e402 = (_e373 == 2u);
-                        if _e402 {
-                            phi_631_ = _e396[2];
+                        let _e403 = phi_631_;
+                        let _e404 = (_e375 == 2u);
+                        if _e404 {
+                            phi_637_ = _e398[2];
                         } else {
-                            phi_631_ = _e401;
+                            phi_637_ = _e403;
                         }
-                        let _e405 = phi_631_;
-                        let _e406 = global_9.member[_e147].member.member_2;
-                        if _e397 {
-                            phi_642_ = _e406[0];
+                        let _e407 = phi_637_;
+                        let _e408 = global_9.member[_e149].member.member_2;
+                        if _e399 {
+                            phi_648_ = _e408[0];
                         } else {
-                            phi_642_ = _e406[1];
+                            phi_648_ = _e408[1];
                         }
-                        let _e410 = phi_642_;
-                        if _e402 {
-                            phi_648_ = _e406[2];
+                        let _e412 = phi_648_;
+                        if _e404 {
+                            phi_654_ = _e408[2];
                         } else {
-                            phi_648_ = _e410;
+                            phi_654_ = _e412;
                         }
-                        let _e413 = phi_648_;
-                        let _e415 = ((_e413 * _e385) * _e391);
-                        let _e419 = (bitcast<f32>((bitcast<u32>(_e415) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e419 {
-                            let _e423 = (bitcast<f32>((bitcast<u32>(_e405) & 2147483647u)) * 0.00000011920929f);
-                            phi_671_ = select(0.00000000000011368684f, _e423, (_e423 > 0.00000000000011368684f));
+                        let _e415 = phi_654_;
+                        let _e417 = ((_e415 * _e387) * _e393);
+                        let _e421 = (bitcast<f32>((bitcast<u32>(_e417) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e421 {
+                            let _e425 = (bitcast<f32>((bitcast<u32>(_e407) & 2147483647u)) * 0.00000011920929f);
+                            phi_677_ = select(0.00000000000011368684f, _e425, (_e425 > 0.00000000000011368684f));
                         } else {
-                            phi_671_ = 0f;
+                            phi_677_ = 0f;
                         }
-                        let _e427 = phi_671_;
-                        let _e428 = (_e405 + _e427);
-                        let _e429 = (_e405 - _e427);
-                        let _e430 = select(_e415, 0f, _e419);
-                        if _e419 {
-                            phi_682_ = 38685626000000000000000000f;
+                        let _e429 = phi_677_;
+                        let _e430 = (_e407 + _e429);
+                        let _e431 = (_e407 - _e429);
+                        let _e432 = select(_e417, 0f, _e421);
+                        if _e421 {
+                            phi_688_ = 38685626000000000000000000f;
                         } else {
-                            phi_682_ = (1f / _e415);
+                            phi_688_ = (1f / _e417);
                         }
-                        let _e433 = phi_682_;
-                        let _e434 = (_e372 == 0u);
-                        if _e434 {
-                            phi_691_ = _e396[0];
+                        let _e435 = phi_688_;
+                        let _e436 = (_e374 == 0u);
+                        if _e436 {
+                            phi_697_ = _e398[0];
                         } else {
-                            phi_691_ = _e396[1];
+                            phi_697_ = _e398[1];
                         }
-                        let _e438 = phi_691_;
-                        let _e439 = (_e372 == 2u);
-                        if _e439 {
-                            phi_697_ = _e396[2];
+                        let _e440 = phi_697_;
+                        let _e441 = (_e374 == 2u);
+                        if _e441 {
+                            phi_703_ = _e398[2];
                         } else {
-                            phi_697_ = _e438;
+                            phi_703_ = _e440;
                         }
-                        let _e442 = phi_697_;
-                        if _e434 {
-                            phi_708_ = _e406[0];
+                        let _e444 = phi_703_;
+                        if _e436 {
+                            phi_714_ = _e408[0];
                         } else {
-                            phi_708_ = _e406[1];
+                            phi_714_ = _e408[1];
                         }
-                        let _e446 = phi_708_;
-                        if _e439 {
-                            phi_714_ = _e406[2];
+                        let _e448 = phi_714_;
+                        if _e441 {
+                            phi_720_ = _e408[2];
                         } else {
-                            phi_714_ = _e446;
+                            phi_720_ = _e448;
                         }
-                        let _e449 = phi_714_;
-                        let _e451 = ((_e449 * _e385) * _e391);
-                        let _e455 = (bitcast<f32>((bitcast<u32>(_e451) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e455 {
-                            let _e459 = (bitcast<f32>((bitcast<u32>(_e442) & 2147483647u)) * 0.00000011920929f);
-                            phi_737_ = select(0.00000000000011368684f, _e459, (_e459 > 0.00000000000011368684f));
+                        let _e451 = phi_720_;
+                        let _e453 = ((_e451 * _e387) * _e393);
+                        let _e457 = (bitcast<f32>((bitcast<u32>(_e453) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e457 {
+                            let _e461 = (bitcast<f32>((bitcast<u32>(_e444) & 2147483647u)) * 0.00000011920929f);
+                            phi_743_ = select(0.00000000000011368684f, _e461, (_e461 > 0.00000000000011368684f));
                         } else {
-                            phi_737_ = 0f;
+                            phi_743_ = 0f;
                         }
-                        let _e463 = phi_737_;
-                        let _e464 = (_e442 + _e463);
-                        let _e465 = (_e442 - _e463);
-                        let _e466 = select(_e451, 0f, _e455);
-                        if _e455 {
-                            phi_748_ = 38685626000000000000000000f;
+                        let _e465 = phi_743_;
+                        let _e466 = (_e444 + _e465);
+                        let _e467 = (_e444 - _e465);
+                        let _e468 = select(_e453, 0f, _e457);
+                        if _e457 {
+                            phi_754_ = 38685626000000000000000000f;
                         } else {
-                            phi_748_ = (1f / _e451);
+                            phi_754_ = (1f / _e453);
                         }
-                        let _e469 = phi_748_;
-                        let _e470 = (_e374 == 0u);
-                        if _e470 {
-                            phi_757_ = _e396[0];
+                        let _e471 = phi_754_;
+                        let _e472 = (_e376 == 0u);
+                        if _e472 {
+                            phi_763_ = _e398[0];
                         } else {
-                            phi_757_ = _e396[1];
+                            phi_763_ = _e398[1];
                         }
-                        let _e474 = phi_757_;
-                        let _e475 = (_e374 == 2u);
-                        if _e475 {
-                            phi_763_ = _e396[2];
+                        let _e476 = phi_763_;
+                        let _e477 = (_e376 == 2u);
+                        if _e477 {
+                            phi_769_ = _e398[2];
                         } else {
-                            phi_763_ = _e474;
+                            phi_769_ = _e476;
                         }
-                        let _e478 = phi_763_;
-                        if _e470 {
-                            phi_774_ = _e406[0];
+                        let _e480 = phi_769_;
+                        if _e472 {
+                            phi_780_ = _e408[0];
                         } else {
-                            phi_774_ = _e406[1];
+                            phi_780_ = _e408[1];
                         }
-                        let _e482 = phi_774_;
-                        if _e475 {
-                            phi_780_ = _e406[2];
+                        let _e484 = phi_780_;
+                        if _e477 {
+                            phi_786_ = _e408[2];
                         } else {
-                            phi_780_ = _e482;
+                            phi_786_ = _e484;
                         }
-                        let _e485 = phi_780_;
-                        let _e487 = ((_e485 * _e385) * _e391);
-                        let _e491 = (bitcast<f32>((bitcast<u32>(_e487) & 2147483647u)) < 0.00000000000000000086736174f);
-                        if _e491 {
-                            let _e495 = (bitcast<f32>((bitcast<u32>(_e478) & 2147483647u)) * 0.00000011920929f);
-                            phi_803_ = select(0.00000000000011368684f, _e495, (_e495 > 0.00000000000011368684f));
+                        let _e487 = phi_786_;
+                        let _e489 = ((_e487 * _e387) * _e393);
+                        let _e493 = (bitcast<f32>((bitcast<u32>(_e489) & 2147483647u)) < 0.00000000000000000086736174f);
+                        if _e493 {
+                            let _e497 = (bitcast<f32>((bitcast<u32>(_e480) & 2147483647u)) * 0.00000011920929f);
+                            phi_809_ = select(0.00000000000011368684f, _e497, (_e497 > 0.00000000000011368684f));
                         } else {
-                            phi_803_ = 0f;
+                            phi_809_ = 0f;
                         }
-                        let _e499 = phi_803_;
-                        let _e500 = (_e478 + _e499);
-                        let _e501 = (_e478 - _e499);
-                        let _e502 = select(_e487, 0f, _e491);
-                        if _e491 {
-                            phi_814_ = 38685626000000000000000000f;
+                        let _e501 = phi_809_;
+                        let _e502 = (_e480 + _e501);
+                        let _e503 = (_e480 - _e501);
+                        let _e504 = select(_e489, 0f, _e493);
+                        if _e493 {
+                            phi_820_ = 38685626000000000000000000f;
                         } else {
-                            phi_814_ = (1f / _e487);
+                            phi_820_ = (1f / _e489);
                         }
-                        let _e505 = phi_814_;
-                        let _e508 = bitcast<f32>((bitcast<u32>(_e405) & 2147483647u));
-                        let _e511 = bitcast<f32>((bitcast<u32>(_e442) & 2147483647u));
-                        let _e513 = select(_e511, _e508, (_e508 > _e511));
-                        let _e516 = bitcast<f32>((bitcast<u32>(_e478) & 2147483647u));
-                        if (_e335 && (select(_e516, _e513, (_e513 > _e516)) <= 1099511600000f)) {
-                            let _e521 = (_e354 / 3i);
-                            let _e528 = bitcast<f32>((bitcast<u32>((_e521 + 127i)) << bitcast<u32>(23i)));
-                            let _e535 = bitcast<f32>((bitcast<u32>(((_e354 - (2i * _e521)) + 127i)) << bitcast<u32>(23i)));
-                            let _e536 = (((_e246 * _e528) * _e528) * _e535);
-                            let _e538 = select(340282350000000000000000000000000000000f, _e536, (_e536 < 340282350000000000000000000000000000000f));
-                            let _e543 = (((_e251 * _e528) * _e528) * _e535);
-                            let _e545 = select(340282350000000000000000000000000000000f, _e543, (_e543 < 340282350000000000000000000000000000000f));
-                            phi_914_ = select(-340282350000000000000000000000000000000f, _e545, (_e545 > -340282350000000000000000000000000000000f));
-                            phi_915_ = select(-340282350000000000000000000000000000000f, _e538, (_e538 > -340282350000000000000000000000000000000f));
+                        let _e507 = phi_820_;
+                        let _e510 = bitcast<f32>((bitcast<u32>(_e407) & 2147483647u));
+                        let _e513 = bitcast<f32>((bitcast<u32>(_e444) & 2147483647u));
+                        let _e515 = select(_e513, _e510, (_e510 > _e513));
+                        let _e518 = bitcast<f32>((bitcast<u32>(_e480) & 2147483647u));
+                        if (_e337 && (select(_e518, _e515, (_e515 > _e518)) <= 1099511600000f)) {
+                            let _e523 = (_e356 / 3i);
+                            let _e530 = bitcast<f32>((bitcast<u32>((_e523 + 127i)) << bitcast<u32>(23i)));
+                            let _e537 = bitcast<f32>((bitcast<u32>(((_e356 - (2i * _e523)) + 127i)) << bitcast<u32>(23i)));
+                            let _e538 = (((_e248 * _e530) * _e530) * _e537);
+                            let _e540 = select(340282350000000000000000000000000000000f, _e538, (_e538 < 340282350000000000000000000000000000000f));
+                            let _e545 = (((_e253 * _e530) * _e530) * _e537);
+                            let _e547 = select(340282350000000000000000000000000000000f, _e545, (_e545 < 340282350000000000000000000000000000000f));
+                            phi_920_ = select(-340282350000000000000000000000000000000f, _e547, (_e547 > -340282350000000000000000000000000000000f));
+                            phi_921_ = select(-340282350000000000000000000000000000000f, _e540, (_e540 > -340282350000000000000000000000000000000f));
                         } else {
-                            phi_914_ = 0f;
-                            phi_915_ = 1f;
+                            phi_920_ = 0f;
+                            phi_921_ = 1f;
                         }
-                        let _e549 = phi_914_;
-                        let _e551 = phi_915_;
+                        let _e551 = phi_920_;
+                        let _e553 = phi_921_;
                         local_8 = array<u32, 128>(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
                         local_7 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_6 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
@@ -603,1285 +620,1393 @@ fn function_() {
                         local_3 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_2 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
                         local_9 = array<f32, 128>(0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f, 0f);
-                        let _e555 = (_e373 % 3u);
-                        let _e556 = (_e555 < 3u);
-                        if _e556 {
+                        let _e557 = (_e375 % 3u);
+                        let _e558 = (_e557 < 3u);
+                        if _e558 {
                         } else {
                             break;
                         }
-                        let _e558 = local_1[_e555];
-                        let _e561 = (_e372 % 3u);
-                        let _e562 = (_e561 < 3u);
-                        if _e562 {
+                        let _e560 = local_1[_e557];
+                        let _e563 = (_e374 % 3u);
+                        let _e564 = (_e563 < 3u);
+                        if _e564 {
                         } else {
                             break;
                         }
-                        let _e564 = local_1[_e561];
-                        let _e567 = (_e374 % 3u);
-                        let _e568 = (_e567 < 3u);
-                        if _e568 {
+                        let _e566 = local_1[_e563];
+                        let _e569 = (_e376 % 3u);
+                        let _e570 = (_e569 < 3u);
+                        if _e570 {
                         } else {
                             break;
                         }
-                        let _e570 = local_1[_e567];
-                        if _e556 {
+                        let _e572 = local_1[_e569];
+                        if _e558 {
                         } else {
                             break;
                         }
-                        let _e575 = local[_e555];
-                        if _e562 {
+                        let _e577 = local[_e557];
+                        if _e564 {
                         } else {
                             break;
                         }
-                        let _e579 = local[_e561];
-                        if _e568 {
+                        let _e581 = local[_e563];
+                        if _e570 {
                         } else {
                             break;
                         }
-                        let _e583 = local[_e567];
-                        phi_4266_ = false;
-                        phi_1004_ = type_46(_e549, false);
-                        phi_1007_ = type_58(type_34(vec4<f32>((f32(_e558) * _e159), (f32(_e564) * _e159), (f32(_e570) * _e159), 0f), vec4<f32>((f32(_e575) * _e159), (f32(_e579) * _e159), (f32(_e583) * _e159), 0f)), select(0u, 2147483648u, (_e100 == 0u)));
-                        phi_1009_ = ((3u * _e100) + 1u);
-                        phi_1011_ = (_e551 <= _e549);
-                        phi_1013_ = 0u;
+                        let _e585 = local[_e569];
+                        phi_4539_ = false;
+                        phi_1010_ = type_46(_e551, false);
+                        phi_1013_ = type_58(type_34(vec4<f32>((f32(_e560) * _e161), (f32(_e566) * _e161), (f32(_e572) * _e161), 0f), vec4<f32>((f32(_e577) * _e161), (f32(_e581) * _e161), (f32(_e585) * _e161), 0f)), select(0u, 2147483648u, (_e102 == 0u)));
+                        phi_1015_ = ((3u * _e102) + 1u);
+                        phi_1017_ = (_e553 <= _e551);
+                        phi_1019_ = 0u;
                         loop {
-                            let _e593 = phi_4266_;
-                            let _e595 = phi_1004_;
-                            let _e597 = phi_1007_;
-                            let _e599 = phi_1009_;
-                            let _e601 = phi_1011_;
-                            let _e603 = phi_1013_;
-                            local_11 = _e595;
-                            if _e601 {
-                                phi_1024_ = true;
+                            let _e595 = phi_4539_;
+                            let _e597 = phi_1010_;
+                            let _e599 = phi_1013_;
+                            let _e601 = phi_1015_;
+                            let _e603 = phi_1017_;
+                            let _e605 = phi_1019_;
+                            local_11 = _e597;
+                            if _e603 {
+                                phi_1030_ = true;
                             } else {
-                                phi_1024_ = (_e603 > 0u);
+                                phi_1030_ = (_e605 > 0u);
                             }
-                            let _e606 = phi_1024_;
-                            if _e606 {
-                                let _e607 = (_e599 > 0u);
-                                if _e607 {
-                                    if _e601 {
-                                        phi_1110_ = _e597;
-                                        phi_1111_ = _e601;
-                                        phi_1112_ = _e603;
+                            let _e608 = phi_1030_;
+                            if _e608 {
+                                let _e609 = (_e601 > 0u);
+                                if _e609 {
+                                    if _e603 {
+                                        phi_1116_ = _e599;
+                                        phi_1117_ = _e603;
+                                        phi_1118_ = _e605;
                                     } else {
-                                        let _e608 = (_e603 - 1u);
-                                        let _e609 = (_e608 % 128u);
-                                        let _e610 = (_e609 < 128u);
-                                        if _e610 {
+                                        let _e610 = (_e605 - 1u);
+                                        let _e611 = (_e610 % 128u);
+                                        let _e612 = (_e611 < 128u);
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e612 = local_7[_e609];
-                                        if _e610 {
+                                        let _e614 = local_7[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e614 = local_6[_e609];
-                                        if _e610 {
+                                        let _e616 = local_6[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e616 = local_5[_e609];
-                                        if _e610 {
+                                        let _e618 = local_5[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e618 = local_4[_e609];
-                                        if _e610 {
+                                        let _e620 = local_4[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e620 = local_3[_e609];
-                                        if _e610 {
+                                        let _e622 = local_3[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e622 = local_2[_e609];
-                                        if _e610 {
+                                        let _e624 = local_2[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e627 = local_8[_e609];
-                                        if _e610 {
+                                        let _e629 = local_8[_e611];
+                                        if _e612 {
                                         } else {
-                                            phi_4445_ = true;
+                                            phi_4746_ = true;
                                             break;
                                         }
-                                        let _e630 = local_9[_e609];
-                                        phi_1110_ = type_58(type_34(vec4<f32>(_e612, _e614, _e616, 0f), vec4<f32>(_e618, _e620, _e622, 0f)), _e627);
-                                        phi_1111_ = (_e630 <= _e595.member);
-                                        phi_1112_ = _e608;
+                                        let _e632 = local_9[_e611];
+                                        phi_1116_ = type_58(type_34(vec4<f32>(_e614, _e616, _e618, 0f), vec4<f32>(_e620, _e622, _e624, 0f)), _e629);
+                                        phi_1117_ = (_e632 <= _e597.member);
+                                        phi_1118_ = _e610;
                                     }
-                                    let _e634 = phi_1110_;
-                                    let _e636 = phi_1111_;
-                                    let _e638 = phi_1112_;
-                                    if _e636 {
-                                        let _e643 = (_e634.member_1 & 268435455u);
-                                        if ((_e634.member_1 & 2147483648u) != 0u) {
-                                            phi_1131_ = _e595;
-                                            phi_1134_ = type_8(0u, ((_e634.member_1 >> bitcast<u32>(28u)) & 7u));
+                                    let _e636 = phi_1116_;
+                                    let _e638 = phi_1117_;
+                                    let _e640 = phi_1118_;
+                                    if _e638 {
+                                        let _e645 = (_e636.member_1 & 268435455u);
+                                        if ((_e636.member_1 & 2147483648u) != 0u) {
+                                            phi_1137_ = _e597;
+                                            phi_1140_ = type_8(0u, ((_e636.member_1 >> bitcast<u32>(28u)) & 7u));
                                             loop {
-                                                let _e1103 = phi_1131_;
-                                                let _e1105 = phi_1134_;
-                                                local_10 = _e1103;
-                                                local_12 = _e1103;
-                                                if (_e1105.member < _e1105.member_1) {
-                                                    phi_1135_ = type_8((_e1105.member + 1u), _e1105.member_1);
-                                                    phi_1157_ = type_8(1u, _e1105.member);
+                                                let _e1105 = phi_1137_;
+                                                let _e1107 = phi_1140_;
+                                                local_10 = _e1105;
+                                                local_12 = _e1105;
+                                                if (_e1107.member < _e1107.member_1) {
+                                                    phi_1141_ = type_8((_e1107.member + 1u), _e1107.member_1);
+                                                    phi_1163_ = type_8(1u, _e1107.member);
                                                 } else {
-                                                    phi_1135_ = _e1105;
-                                                    phi_1157_ = type_8(0u, type_8().member_1);
+                                                    phi_1141_ = _e1107;
+                                                    phi_1163_ = type_8(0u, type_8().member_1);
                                                 }
-                                                let _e1118 = phi_1135_;
-                                                let _e1120 = phi_1157_;
-                                                let _e1124 = (bitcast<i32>(_e1120.member) != 0i);
-                                                if _e1124 {
-                                                    let _e1129 = (_e634.member.member_1.x - _e634.member.member.x);
-                                                    let _e1132 = (_e634.member.member_1.y - _e634.member.member.y);
-                                                    let _e1135 = (_e634.member.member_1.z - _e634.member.member.z);
-                                                    let _e1137 = select(_e1132, _e1129, (_e1129 > _e1132));
-                                                    let _e1139 = select(_e1135, _e1137, (_e1137 > _e1135));
-                                                    let _e1141 = (_e1139 < (1024f * _e159));
-                                                    if _e1141 {
-                                                        phi_1198_ = 0u;
+                                                let _e1120 = phi_1141_;
+                                                let _e1122 = phi_1163_;
+                                                let _e1126 = (bitcast<i32>(_e1122.member) != 0i);
+                                                if _e1126 {
+                                                    let _e1131 = (_e636.member.member_1.x - _e636.member.member.x);
+                                                    let _e1134 = (_e636.member.member_1.y - _e636.member.member.y);
+                                                    let _e1137 = (_e636.member.member_1.z - _e636.member.member.z);
+                                                    let _e1139 = select(_e1134, _e1131, (_e1131 > _e1134));
+                                                    let _e1141 = select(_e1137, _e1139, (_e1139 > _e1137));
+                                                    let _e1143 = (_e1141 < (1024f * _e161));
+                                                    if _e1143 {
+                                                        phi_1204_ = 0u;
                                                     } else {
-                                                        phi_1198_ = select(2u, 1u, (_e1139 < (2097152f * _e159)));
+                                                        phi_1204_ = select(2u, 1u, (_e1141 < (2097152f * _e161)));
                                                     }
-                                                    let _e1146 = phi_1198_;
-                                                    switch bitcast<i32>(_e1146) {
+                                                    let _e1148 = phi_1204_;
+                                                    switch bitcast<i32>(_e1148) {
                                                         case 0: {
-                                                            phi_1204_ = 1u;
+                                                            phi_1210_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1204_ = 2u;
+                                                            phi_1210_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1204_ = 3u;
+                                                            phi_1210_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1204_ = u32();
+                                                            phi_1210_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1149 = phi_1204_;
-                                                    switch bitcast<i32>(_e1146) {
+                                                    let _e1151 = phi_1210_;
+                                                    switch bitcast<i32>(_e1148) {
                                                         case 0: {
-                                                            phi_1214_ = 1u;
+                                                            phi_1220_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1214_ = 2u;
+                                                            phi_1220_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1214_ = 3u;
+                                                            phi_1220_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1214_ = u32();
+                                                            phi_1220_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1156 = phi_1214_;
-                                                    let _e1158 = ((_e643 + (_e1120.member_1 * ((3u * _e1149) + 1u))) + (3u * _e1156));
-                                                    let _e1159 = (_e1158 < _e103);
-                                                    if _e1159 {
-                                                        if _e1159 {
+                                                    let _e1158 = phi_1220_;
+                                                    let _e1160 = ((_e645 + (_e1122.member_1 * ((3u * _e1151) + 1u))) + (3u * _e1158));
+                                                    let _e1161 = (_e1160 < _e105);
+                                                    if _e1161 {
+                                                        if _e1161 {
                                                         } else {
-                                                            phi_4260_ = true;
+                                                            phi_4533_ = true;
                                                             break;
                                                         }
-                                                        let _e1161 = global_10.member[_e1158];
-                                                        phi_1230_ = _e1161;
+                                                        let _e1163 = global_10.member[_e1160];
+                                                        phi_1236_ = _e1163;
                                                     } else {
-                                                        phi_1230_ = 4294967295u;
+                                                        phi_1236_ = 4294967295u;
                                                     }
-                                                    let _e1163 = phi_1230_;
-                                                    if _e1141 {
-                                                        phi_1263_ = 0u;
+                                                    let _e1165 = phi_1236_;
+                                                    if _e1143 {
+                                                        phi_1269_ = 0u;
                                                     } else {
-                                                        phi_1263_ = select(2u, 1u, (_e1139 < (2097152f * _e159)));
+                                                        phi_1269_ = select(2u, 1u, (_e1141 < (2097152f * _e161)));
                                                     }
-                                                    let _e1168 = phi_1263_;
-                                                    switch bitcast<i32>(_e1168) {
+                                                    let _e1170 = phi_1269_;
+                                                    switch bitcast<i32>(_e1170) {
                                                         case 0: {
-                                                            phi_1269_ = 1u;
+                                                            phi_1275_ = 1u;
                                                             break;
                                                         }
                                                         case 1: {
-                                                            phi_1269_ = 2u;
+                                                            phi_1275_ = 2u;
                                                             break;
                                                         }
                                                         case 2: {
-                                                            phi_1269_ = 3u;
+                                                            phi_1275_ = 3u;
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1269_ = u32();
+                                                            phi_1275_ = u32();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1171 = phi_1269_;
-                                                    let _e1175 = (_e643 + (_e1120.member_1 * ((3u * _e1171) + 1u)));
-                                                    switch bitcast<i32>(_e1168) {
+                                                    let _e1173 = phi_1275_;
+                                                    let _e1177 = (_e645 + (_e1122.member_1 * ((3u * _e1173) + 1u)));
+                                                    switch bitcast<i32>(_e1170) {
                                                         case 0: {
-                                                            let _e1441 = (_e1175 < _e103);
-                                                            if _e1441 {
-                                                                if _e1441 {
+                                                            let _e1443 = (_e1177 < _e105);
+                                                            if _e1443 {
+                                                                if _e1443 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1443 = global_10.member[_e1175];
-                                                                phi_1293_ = _e1443;
+                                                                let _e1445 = global_10.member[_e1177];
+                                                                phi_1299_ = _e1445;
                                                             } else {
-                                                                phi_1293_ = 0u;
+                                                                phi_1299_ = 0u;
                                                             }
-                                                            let _e1445 = phi_1293_;
-                                                            let _e1447 = ((10u * _e373) & 31u);
-                                                            let _e1456 = ((10u * _e372) & 31u);
-                                                            let _e1465 = ((10u * _e374) & 31u);
-                                                            let _e1474 = (_e1175 + 1u);
-                                                            let _e1475 = (_e1474 < _e103);
-                                                            if _e1475 {
-                                                                if _e1475 {
+                                                            let _e1447 = phi_1299_;
+                                                            let _e1449 = ((10u * _e375) & 31u);
+                                                            let _e1458 = ((10u * _e374) & 31u);
+                                                            let _e1467 = ((10u * _e376) & 31u);
+                                                            let _e1476 = (_e1177 + 1u);
+                                                            let _e1477 = (_e1476 < _e105);
+                                                            if _e1477 {
+                                                                if _e1477 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1477 = global_10.member[_e1474];
-                                                                phi_1336_ = _e1477;
+                                                                let _e1479 = global_10.member[_e1476];
+                                                                phi_1342_ = _e1479;
                                                             } else {
-                                                                phi_1336_ = 0u;
+                                                                phi_1342_ = 0u;
                                                             }
-                                                            let _e1479 = phi_1336_;
-                                                            let _e1502 = (_e1175 + 2u);
-                                                            let _e1503 = (_e1502 < _e103);
-                                                            if _e1503 {
-                                                                if _e1503 {
+                                                            let _e1481 = phi_1342_;
+                                                            let _e1504 = (_e1177 + 2u);
+                                                            let _e1505 = (_e1504 < _e105);
+                                                            if _e1505 {
+                                                                if _e1505 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1505 = global_10.member[_e1502];
-                                                                phi_1379_ = _e1505;
+                                                                let _e1507 = global_10.member[_e1504];
+                                                                phi_1385_ = _e1507;
                                                             } else {
-                                                                phi_1379_ = 0u;
+                                                                phi_1385_ = 0u;
                                                             }
-                                                            let _e1507 = phi_1379_;
-                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1445 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1479 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1447)) & 1023u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1456)) & 1023u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>(((_e1507 >> bitcast<u32>(_e1465)) & 1023u))) * _e159))));
+                                                            let _e1509 = phi_1385_;
+                                                            phi_1856_ = array<array<f32, 3>, 3>(array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>(((_e1447 >> bitcast<u32>(_e1449)) & 1023u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>(((_e1447 >> bitcast<u32>(_e1458)) & 1023u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>(((_e1447 >> bitcast<u32>(_e1467)) & 1023u))) * _e161))), array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>(((_e1481 >> bitcast<u32>(_e1449)) & 1023u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>(((_e1481 >> bitcast<u32>(_e1458)) & 1023u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>(((_e1481 >> bitcast<u32>(_e1467)) & 1023u))) * _e161))), array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>(((_e1509 >> bitcast<u32>(_e1449)) & 1023u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>(((_e1509 >> bitcast<u32>(_e1458)) & 1023u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>(((_e1509 >> bitcast<u32>(_e1467)) & 1023u))) * _e161))));
                                                             break;
                                                         }
                                                         case 1: {
-                                                            let _e1264 = (_e1175 < _e103);
-                                                            if _e1264 {
-                                                                if _e1264 {
+                                                            let _e1266 = (_e1177 < _e105);
+                                                            if _e1266 {
+                                                                if _e1266 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1266 = global_10.member[_e1175];
-                                                                phi_1422_ = _e1266;
+                                                                let _e1268 = global_10.member[_e1177];
+                                                                phi_1428_ = _e1268;
                                                             } else {
-                                                                phi_1422_ = 0u;
+                                                                phi_1428_ = 0u;
                                                             }
-                                                            let _e1268 = phi_1422_;
-                                                            let _e1269 = (_e1175 + 1u);
-                                                            let _e1270 = (_e1269 < _e103);
-                                                            if _e1270 {
-                                                                if _e1270 {
+                                                            let _e1270 = phi_1428_;
+                                                            let _e1271 = (_e1177 + 1u);
+                                                            let _e1272 = (_e1271 < _e105);
+                                                            if _e1272 {
+                                                                if _e1272 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1272 = global_10.member[_e1269];
-                                                                phi_1437_ = _e1272;
+                                                                let _e1274 = global_10.member[_e1271];
+                                                                phi_1443_ = _e1274;
                                                             } else {
-                                                                phi_1437_ = 0u;
+                                                                phi_1443_ = 0u;
                                                             }
-                                                            let _e1274 = phi_1437_;
-                                                            let _e1275 = (_e373 == 1u);
-                                                            if _e1275 {
-                                                                phi_1447_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            let _e1276 = phi_1443_;
+                                                            let _e1277 = (_e375 == 1u);
+                                                            if _e1277 {
+                                                                phi_1453_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1447_ = (_e1274 >> bitcast<u32>(10i));
+                                                                phi_1453_ = (_e1276 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1284 = phi_1447_;
-                                                            let _e1291 = (_e372 == 1u);
-                                                            if _e1291 {
-                                                                phi_1467_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            let _e1286 = phi_1453_;
+                                                            let _e1293 = (_e374 == 1u);
+                                                            if _e1293 {
+                                                                phi_1473_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1467_ = (_e1274 >> bitcast<u32>(10i));
+                                                                phi_1473_ = (_e1276 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1300 = phi_1467_;
-                                                            let _e1307 = (_e374 == 1u);
-                                                            if _e1307 {
-                                                                phi_1487_ = ((_e1268 >> bitcast<u32>(21i)) | (_e1274 << bitcast<u32>(11i)));
+                                                            let _e1302 = phi_1473_;
+                                                            let _e1309 = (_e376 == 1u);
+                                                            if _e1309 {
+                                                                phi_1493_ = ((_e1270 >> bitcast<u32>(21i)) | (_e1276 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1487_ = (_e1274 >> bitcast<u32>(10i));
+                                                                phi_1493_ = (_e1276 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1316 = phi_1487_;
-                                                            let _e1324 = (_e1175 + 2u);
-                                                            let _e1325 = (_e1324 < _e103);
-                                                            if _e1325 {
-                                                                if _e1325 {
+                                                            let _e1318 = phi_1493_;
+                                                            let _e1326 = (_e1177 + 2u);
+                                                            let _e1327 = (_e1326 < _e105);
+                                                            if _e1327 {
+                                                                if _e1327 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1327 = global_10.member[_e1324];
-                                                                phi_1513_ = _e1327;
+                                                                let _e1329 = global_10.member[_e1326];
+                                                                phi_1519_ = _e1329;
                                                             } else {
-                                                                phi_1513_ = 0u;
+                                                                phi_1519_ = 0u;
                                                             }
-                                                            let _e1329 = phi_1513_;
-                                                            let _e1330 = (_e1175 + 3u);
-                                                            let _e1331 = (_e1330 < _e103);
-                                                            if _e1331 {
-                                                                if _e1331 {
+                                                            let _e1331 = phi_1519_;
+                                                            let _e1332 = (_e1177 + 3u);
+                                                            let _e1333 = (_e1332 < _e105);
+                                                            if _e1333 {
+                                                                if _e1333 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1333 = global_10.member[_e1330];
-                                                                phi_1528_ = _e1333;
+                                                                let _e1335 = global_10.member[_e1332];
+                                                                phi_1534_ = _e1335;
                                                             } else {
-                                                                phi_1528_ = 0u;
+                                                                phi_1534_ = 0u;
                                                             }
-                                                            let _e1335 = phi_1528_;
-                                                            if _e1275 {
-                                                                phi_1538_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            let _e1337 = phi_1534_;
+                                                            if _e1277 {
+                                                                phi_1544_ = ((_e1331 >> bitcast<u32>(21i)) | (_e1337 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1538_ = (_e1335 >> bitcast<u32>(10i));
+                                                                phi_1544_ = (_e1337 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1344 = phi_1538_;
-                                                            if _e1291 {
-                                                                phi_1558_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            let _e1346 = phi_1544_;
+                                                            if _e1293 {
+                                                                phi_1564_ = ((_e1331 >> bitcast<u32>(21i)) | (_e1337 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1558_ = (_e1335 >> bitcast<u32>(10i));
+                                                                phi_1564_ = (_e1337 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1359 = phi_1558_;
-                                                            if _e1307 {
-                                                                phi_1578_ = ((_e1329 >> bitcast<u32>(21i)) | (_e1335 << bitcast<u32>(11i)));
+                                                            let _e1361 = phi_1564_;
+                                                            if _e1309 {
+                                                                phi_1584_ = ((_e1331 >> bitcast<u32>(21i)) | (_e1337 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1578_ = (_e1335 >> bitcast<u32>(10i));
+                                                                phi_1584_ = (_e1337 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1374 = phi_1578_;
-                                                            let _e1382 = (_e1175 + 4u);
-                                                            let _e1383 = (_e1382 < _e103);
-                                                            if _e1383 {
-                                                                if _e1383 {
+                                                            let _e1376 = phi_1584_;
+                                                            let _e1384 = (_e1177 + 4u);
+                                                            let _e1385 = (_e1384 < _e105);
+                                                            if _e1385 {
+                                                                if _e1385 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1385 = global_10.member[_e1382];
-                                                                phi_1604_ = _e1385;
+                                                                let _e1387 = global_10.member[_e1384];
+                                                                phi_1610_ = _e1387;
                                                             } else {
-                                                                phi_1604_ = 0u;
+                                                                phi_1610_ = 0u;
                                                             }
-                                                            let _e1387 = phi_1604_;
-                                                            let _e1388 = (_e1175 + 5u);
-                                                            let _e1389 = (_e1388 < _e103);
-                                                            if _e1389 {
-                                                                if _e1389 {
+                                                            let _e1389 = phi_1610_;
+                                                            let _e1390 = (_e1177 + 5u);
+                                                            let _e1391 = (_e1390 < _e105);
+                                                            if _e1391 {
+                                                                if _e1391 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1391 = global_10.member[_e1388];
-                                                                phi_1619_ = _e1391;
+                                                                let _e1393 = global_10.member[_e1390];
+                                                                phi_1625_ = _e1393;
                                                             } else {
-                                                                phi_1619_ = 0u;
+                                                                phi_1625_ = 0u;
                                                             }
-                                                            let _e1393 = phi_1619_;
-                                                            if _e1275 {
-                                                                phi_1629_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            let _e1395 = phi_1625_;
+                                                            if _e1277 {
+                                                                phi_1635_ = ((_e1389 >> bitcast<u32>(21i)) | (_e1395 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1629_ = (_e1393 >> bitcast<u32>(10i));
+                                                                phi_1635_ = (_e1395 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1402 = phi_1629_;
-                                                            if _e1291 {
-                                                                phi_1649_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            let _e1404 = phi_1635_;
+                                                            if _e1293 {
+                                                                phi_1655_ = ((_e1389 >> bitcast<u32>(21i)) | (_e1395 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1649_ = (_e1393 >> bitcast<u32>(10i));
+                                                                phi_1655_ = (_e1395 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1417 = phi_1649_;
-                                                            if _e1307 {
-                                                                phi_1669_ = ((_e1387 >> bitcast<u32>(21i)) | (_e1393 << bitcast<u32>(11i)));
+                                                            let _e1419 = phi_1655_;
+                                                            if _e1309 {
+                                                                phi_1675_ = ((_e1389 >> bitcast<u32>(21i)) | (_e1395 << bitcast<u32>(11i)));
                                                             } else {
-                                                                phi_1669_ = (_e1393 >> bitcast<u32>(10i));
+                                                                phi_1675_ = (_e1395 >> bitcast<u32>(10i));
                                                             }
-                                                            let _e1432 = phi_1669_;
-                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1284, _e1268, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1300, _e1268, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1316, _e1268, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1344, _e1329, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1359, _e1329, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1374, _e1329, _e470) & 2097151u))) * _e159))), array<f32, 3>((_e634.member.member.x + (f32(bitcast<i32>((select(_e1402, _e1387, _e397) & 2097151u))) * _e159)), (_e634.member.member.y + (f32(bitcast<i32>((select(_e1417, _e1387, _e434) & 2097151u))) * _e159)), (_e634.member.member.z + (f32(bitcast<i32>((select(_e1432, _e1387, _e470) & 2097151u))) * _e159))));
+                                                            let _e1434 = phi_1675_;
+                                                            phi_1856_ = array<array<f32, 3>, 3>(array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>((select(_e1286, _e1270, _e399) & 2097151u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>((select(_e1302, _e1270, _e436) & 2097151u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>((select(_e1318, _e1270, _e472) & 2097151u))) * _e161))), array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>((select(_e1346, _e1331, _e399) & 2097151u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>((select(_e1361, _e1331, _e436) & 2097151u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>((select(_e1376, _e1331, _e472) & 2097151u))) * _e161))), array<f32, 3>((_e636.member.member.x + (f32(bitcast<i32>((select(_e1404, _e1389, _e399) & 2097151u))) * _e161)), (_e636.member.member.y + (f32(bitcast<i32>((select(_e1419, _e1389, _e436) & 2097151u))) * _e161)), (_e636.member.member.z + (f32(bitcast<i32>((select(_e1434, _e1389, _e472) & 2097151u))) * _e161))));
                                                             break;
                                                         }
                                                         case 2: {
-                                                            let _e1177 = (_e1175 + _e373);
-                                                            let _e1178 = (_e1177 < _e103);
-                                                            if _e1178 {
-                                                                if _e1178 {
+                                                            let _e1179 = (_e1177 + _e375);
+                                                            let _e1180 = (_e1179 < _e105);
+                                                            if _e1180 {
+                                                                if _e1180 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1180 = global_10.member[_e1177];
-                                                                phi_1696_ = _e1180;
+                                                                let _e1182 = global_10.member[_e1179];
+                                                                phi_1702_ = _e1182;
                                                             } else {
-                                                                phi_1696_ = 0u;
+                                                                phi_1702_ = 0u;
                                                             }
-                                                            let _e1182 = phi_1696_;
-                                                            let _e1186 = (_e1175 + _e372);
-                                                            let _e1187 = (_e1186 < _e103);
-                                                            if _e1187 {
-                                                                if _e1187 {
+                                                            let _e1184 = phi_1702_;
+                                                            let _e1188 = (_e1177 + _e374);
+                                                            let _e1189 = (_e1188 < _e105);
+                                                            if _e1189 {
+                                                                if _e1189 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1189 = global_10.member[_e1186];
-                                                                phi_1714_ = _e1189;
+                                                                let _e1191 = global_10.member[_e1188];
+                                                                phi_1720_ = _e1191;
                                                             } else {
-                                                                phi_1714_ = 0u;
+                                                                phi_1720_ = 0u;
                                                             }
-                                                            let _e1191 = phi_1714_;
-                                                            let _e1195 = (_e1175 + _e374);
-                                                            let _e1196 = (_e1195 < _e103);
-                                                            if _e1196 {
-                                                                if _e1196 {
+                                                            let _e1193 = phi_1720_;
+                                                            let _e1197 = (_e1177 + _e376);
+                                                            let _e1198 = (_e1197 < _e105);
+                                                            if _e1198 {
+                                                                if _e1198 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1198 = global_10.member[_e1195];
-                                                                phi_1732_ = _e1198;
+                                                                let _e1200 = global_10.member[_e1197];
+                                                                phi_1738_ = _e1200;
                                                             } else {
-                                                                phi_1732_ = 0u;
+                                                                phi_1738_ = 0u;
                                                             }
-                                                            let _e1200 = phi_1732_;
-                                                            let _e1205 = (_e1175 + 3u);
-                                                            let _e1206 = (_e1205 + _e373);
-                                                            let _e1207 = (_e1206 < _e103);
-                                                            if _e1207 {
-                                                                if _e1207 {
+                                                            let _e1202 = phi_1738_;
+                                                            let _e1207 = (_e1177 + 3u);
+                                                            let _e1208 = (_e1207 + _e375);
+                                                            let _e1209 = (_e1208 < _e105);
+                                                            if _e1209 {
+                                                                if _e1209 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1209 = global_10.member[_e1206];
-                                                                phi_1752_ = _e1209;
+                                                                let _e1211 = global_10.member[_e1208];
+                                                                phi_1758_ = _e1211;
                                                             } else {
-                                                                phi_1752_ = 0u;
+                                                                phi_1758_ = 0u;
                                                             }
-                                                            let _e1211 = phi_1752_;
-                                                            let _e1215 = (_e1205 + _e372);
-                                                            let _e1216 = (_e1215 < _e103);
-                                                            if _e1216 {
-                                                                if _e1216 {
+                                                            let _e1213 = phi_1758_;
+                                                            let _e1217 = (_e1207 + _e374);
+                                                            let _e1218 = (_e1217 < _e105);
+                                                            if _e1218 {
+                                                                if _e1218 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1218 = global_10.member[_e1215];
-                                                                phi_1770_ = _e1218;
+                                                                let _e1220 = global_10.member[_e1217];
+                                                                phi_1776_ = _e1220;
                                                             } else {
-                                                                phi_1770_ = 0u;
+                                                                phi_1776_ = 0u;
                                                             }
-                                                            let _e1220 = phi_1770_;
-                                                            let _e1224 = (_e1205 + _e374);
-                                                            let _e1225 = (_e1224 < _e103);
-                                                            if _e1225 {
-                                                                if _e1225 {
+                                                            let _e1222 = phi_1776_;
+                                                            let _e1226 = (_e1207 + _e376);
+                                                            let _e1227 = (_e1226 < _e105);
+                                                            if _e1227 {
+                                                                if _e1227 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1227 = global_10.member[_e1224];
-                                                                phi_1788_ = _e1227;
+                                                                let _e1229 = global_10.member[_e1226];
+                                                                phi_1794_ = _e1229;
                                                             } else {
-                                                                phi_1788_ = 0u;
+                                                                phi_1794_ = 0u;
                                                             }
-                                                            let _e1229 = phi_1788_;
-                                                            let _e1234 = (_e1175 + 6u);
-                                                            let _e1235 = (_e1234 + _e373);
-                                                            let _e1236 = (_e1235 < _e103);
-                                                            if _e1236 {
-                                                                if _e1236 {
+                                                            let _e1231 = phi_1794_;
+                                                            let _e1236 = (_e1177 + 6u);
+                                                            let _e1237 = (_e1236 + _e375);
+                                                            let _e1238 = (_e1237 < _e105);
+                                                            if _e1238 {
+                                                                if _e1238 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1238 = global_10.member[_e1235];
-                                                                phi_1808_ = _e1238;
+                                                                let _e1240 = global_10.member[_e1237];
+                                                                phi_1814_ = _e1240;
                                                             } else {
-                                                                phi_1808_ = 0u;
+                                                                phi_1814_ = 0u;
                                                             }
-                                                            let _e1240 = phi_1808_;
-                                                            let _e1244 = (_e1234 + _e372);
-                                                            let _e1245 = (_e1244 < _e103);
-                                                            if _e1245 {
-                                                                if _e1245 {
+                                                            let _e1242 = phi_1814_;
+                                                            let _e1246 = (_e1236 + _e374);
+                                                            let _e1247 = (_e1246 < _e105);
+                                                            if _e1247 {
+                                                                if _e1247 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1247 = global_10.member[_e1244];
-                                                                phi_1826_ = _e1247;
+                                                                let _e1249 = global_10.member[_e1246];
+                                                                phi_1832_ = _e1249;
                                                             } else {
-                                                                phi_1826_ = 0u;
+                                                                phi_1832_ = 0u;
                                                             }
-                                                            let _e1249 = phi_1826_;
-                                                            let _e1253 = (_e1234 + _e374);
-                                                            let _e1254 = (_e1253 < _e103);
-                                                            if _e1254 {
-                                                                if _e1254 {
+                                                            let _e1251 = phi_1832_;
+                                                            let _e1255 = (_e1236 + _e376);
+                                                            let _e1256 = (_e1255 < _e105);
+                                                            if _e1256 {
+                                                                if _e1256 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1256 = global_10.member[_e1253];
-                                                                phi_1844_ = _e1256;
+                                                                let _e1258 = global_10.member[_e1255];
+                                                                phi_1850_ = _e1258;
                                                             } else {
-                                                                phi_1844_ = 0u;
+                                                                phi_1850_ = 0u;
                                                             }
-                                                            let _e1258 = phi_1844_;
-                                                            phi_1850_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1182)) * _e159), (f32(bitcast<i32>(_e1191)) * _e159), (f32(bitcast<i32>(_e1200)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1211)) * _e159), (f32(bitcast<i32>(_e1220)) * _e159), (f32(bitcast<i32>(_e1229)) * _e159)), array<f32, 3>((f32(bitcast<i32>(_e1240)) * _e159), (f32(bitcast<i32>(_e1249)) * _e159), (f32(bitcast<i32>(_e1258)) * _e159)));
+                                                            let _e1260 = phi_1850_;
+                                                            phi_1856_ = array<array<f32, 3>, 3>(array<f32, 3>((f32(bitcast<i32>(_e1184)) * _e161), (f32(bitcast<i32>(_e1193)) * _e161), (f32(bitcast<i32>(_e1202)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1213)) * _e161), (f32(bitcast<i32>(_e1222)) * _e161), (f32(bitcast<i32>(_e1231)) * _e161)), array<f32, 3>((f32(bitcast<i32>(_e1242)) * _e161), (f32(bitcast<i32>(_e1251)) * _e161), (f32(bitcast<i32>(_e1260)) * _e161)));
                                                             break;
                                                         }
                                                         default: {
-                                                            phi_1850_ = array<array<f32, 3>, 3>();
+                                                            phi_1856_ = array<array<f32, 3>, 3>();
                                                             break;
                                                         }
                                                     }
-                                                    let _e1532 = phi_1850_;
-                                                    let _e1540 = (_e1532[0][2] - _e478);
-                                                    let _e1543 = (((_e1532[0][0] - _e405) * _e502) - (_e1540 * _e430));
-                                                    let _e1546 = (((_e1532[0][1] - _e442) * _e502) - (_e1540 * _e466));
-                                                    let _e1553 = (_e1532[1][2] - _e478);
-                                                    let _e1556 = (((_e1532[1][0] - _e405) * _e502) - (_e1553 * _e430));
-                                                    let _e1559 = (((_e1532[1][1] - _e442) * _e502) - (_e1553 * _e466));
-                                                    let _e1566 = (_e1532[2][2] - _e478);
-                                                    let _e1569 = (((_e1532[2][0] - _e405) * _e502) - (_e1566 * _e430));
-                                                    let _e1572 = (((_e1532[2][1] - _e442) * _e502) - (_e1566 * _e466));
-                                                    let _e1573 = (_e1569 * _e1559);
-                                                    let _e1574 = (_e1572 * _e1556);
-                                                    let _e1575 = (_e1543 * _e1572);
-                                                    let _e1576 = (_e1546 * _e1569);
-                                                    let _e1577 = (_e1556 * _e1546);
-                                                    let _e1578 = (_e1559 * _e1543);
-                                                    let _e1583 = (((_e1573 >= _e1574) && (_e1575 >= _e1576)) && (_e1577 >= _e1578));
-                                                    if (_e1583 || (((_e1573 <= _e1574) && (_e1575 <= _e1576)) && (_e1577 <= _e1578))) {
-                                                        let _e1590 = select(-1f, 1f, _e1583);
-                                                        let _e1592 = ((_e1573 - _e1574) * _e1590);
-                                                        let _e1594 = select(0f, _e1592, (_e1592 > 0f));
-                                                        let _e1596 = ((_e1575 - _e1576) * _e1590);
-                                                        let _e1598 = select(0f, _e1596, (_e1596 > 0f));
-                                                        let _e1600 = ((_e1577 - _e1578) * _e1590);
-                                                        let _e1602 = select(0f, _e1600, (_e1600 > 0f));
-                                                        let _e1604 = ((_e1594 + _e1598) + _e1602);
-                                                        if (_e1604 < 0.000000000000000000000000000000000000011754944f) {
-                                                            phi_2416_ = type_25();
-                                                            phi_2417_ = true;
+                                                    let _e1534 = phi_1856_;
+                                                    let _e1542 = (_e1534[0][2] - _e480);
+                                                    let _e1545 = (((_e1534[0][0] - _e407) * _e504) - (_e1542 * _e432));
+                                                    let _e1548 = (((_e1534[0][1] - _e444) * _e504) - (_e1542 * _e468));
+                                                    let _e1555 = (_e1534[1][2] - _e480);
+                                                    let _e1558 = (((_e1534[1][0] - _e407) * _e504) - (_e1555 * _e432));
+                                                    let _e1561 = (((_e1534[1][1] - _e444) * _e504) - (_e1555 * _e468));
+                                                    let _e1568 = (_e1534[2][2] - _e480);
+                                                    let _e1571 = (((_e1534[2][0] - _e407) * _e504) - (_e1568 * _e432));
+                                                    let _e1574 = (((_e1534[2][1] - _e444) * _e504) - (_e1568 * _e468));
+                                                    let _e1575 = (_e1571 * _e1561);
+                                                    let _e1576 = (_e1574 * _e1558);
+                                                    let _e1577 = (_e1545 * _e1574);
+                                                    let _e1578 = (_e1548 * _e1571);
+                                                    let _e1579 = (_e1558 * _e1548);
+                                                    let _e1580 = (_e1561 * _e1545);
+                                                    let _e1585 = (((_e1575 >= _e1576) && (_e1577 >= _e1578)) && (_e1579 >= _e1580));
+                                                    if (_e1585 || (((_e1575 <= _e1576) && (_e1577 <= _e1578)) && (_e1579 <= _e1580))) {
+                                                        let _e1592 = select(-1f, 1f, _e1585);
+                                                        let _e1594 = ((_e1575 - _e1576) * _e1592);
+                                                        let _e1596 = select(0f, _e1594, (_e1594 > 0f));
+                                                        let _e1598 = ((_e1577 - _e1578) * _e1592);
+                                                        let _e1600 = select(0f, _e1598, (_e1598 > 0f));
+                                                        let _e1602 = ((_e1579 - _e1580) * _e1592);
+                                                        let _e1604 = select(0f, _e1602, (_e1602 > 0f));
+                                                        let _e1606 = ((_e1596 + _e1600) + _e1604);
+                                                        if (_e1606 < 0.000000000000000000000000000000000000011754944f) {
+                                                            phi_2684_ = type_25();
+                                                            phi_2685_ = true;
+                                                            phi_2686_ = false;
                                                         } else {
-                                                            let _e1607 = select(_e1532[1][0], _e1532[0][0], (_e1532[0][0] < _e1532[1][0]));
-                                                            let _e1611 = select(_e1532[1][0], _e1532[0][0], (_e1532[0][0] > _e1532[1][0]));
-                                                            let _e1615 = select(_e1532[1][1], _e1532[0][1], (_e1532[0][1] < _e1532[1][1]));
-                                                            let _e1619 = select(_e1532[1][1], _e1532[0][1], (_e1532[0][1] > _e1532[1][1]));
-                                                            let _e1623 = select(_e1532[1][2], _e1532[0][2], (_e1532[0][2] < _e1532[1][2]));
-                                                            let _e1627 = select(_e1532[1][2], _e1532[0][2], (_e1532[0][2] > _e1532[1][2]));
-                                                            let _e1632 = ((select(_e1532[2][0], _e1607, (_e1607 < _e1532[2][0])) - _e428) * _e433);
-                                                            let _e1633 = ((select(_e1532[2][0], _e1611, (_e1611 > _e1532[2][0])) - _e429) * _e433);
-                                                            let _e1636 = ((select(_e1532[2][1], _e1615, (_e1615 < _e1532[2][1])) - _e464) * _e469);
-                                                            let _e1637 = ((select(_e1532[2][1], _e1619, (_e1619 > _e1532[2][1])) - _e465) * _e469);
-                                                            let _e1640 = ((select(_e1532[2][2], _e1623, (_e1623 < _e1532[2][2])) - _e500) * _e505);
-                                                            let _e1641 = ((select(_e1532[2][2], _e1627, (_e1627 > _e1532[2][2])) - _e501) * _e505);
-                                                            let _e1643 = select(_e1641, _e1640, (_e1640 < _e1641));
-                                                            let _e1645 = select(_e1641, _e1640, (_e1640 > _e1641));
-                                                            let _e1647 = select(_e1633, _e1632, (_e1632 < _e1633));
-                                                            let _e1649 = select(_e1637, _e1636, (_e1636 < _e1637));
-                                                            let _e1651 = select(_e1649, _e1647, (_e1647 > _e1649));
-                                                            let _e1653 = select(_e1643, _e1651, (_e1651 > _e1643));
-                                                            let _e1655 = select(_e1633, _e1632, (_e1632 > _e1633));
-                                                            let _e1657 = select(_e1637, _e1636, (_e1636 > _e1637));
-                                                            let _e1659 = select(_e1657, _e1655, (_e1655 < _e1657));
-                                                            let _e1661 = select(_e1645, _e1659, (_e1659 < _e1645));
-                                                            let _e1662 = -(_e1643);
-                                                            let _e1668 = select(_e551, _e1653, (_e1653 > _e551));
-                                                            if (_e1668 > (_e1661 + (select(_e1662, _e1645, (_e1645 > _e1662)) * 0.0000019073523f))) {
-                                                                phi_2411_ = type_25();
-                                                                phi_2412_ = true;
+                                                            let _e1609 = select(_e1558, _e1545, (_e1545 < _e1558));
+                                                            if (select(_e1571, _e1609, (_e1609 < _e1571)) > 0f) {
+                                                                phi_1973_ = true;
                                                             } else {
-                                                                let _e1670 = (_e1668 > _e1103.member);
-                                                                if _e1670 {
-                                                                    phi_2410_ = type_25();
+                                                                let _e1614 = select(_e1558, _e1545, (_e1545 > _e1558));
+                                                                phi_1973_ = (select(_e1571, _e1614, (_e1614 > _e1571)) < 0f);
+                                                            }
+                                                            let _e1619 = phi_1973_;
+                                                            if _e1619 {
+                                                                phi_2681_ = type_25();
+                                                                phi_2682_ = true;
+                                                                phi_2683_ = false;
+                                                            } else {
+                                                                let _e1621 = select(_e1561, _e1548, (_e1548 < _e1561));
+                                                                if (select(_e1574, _e1621, (_e1621 < _e1574)) > 0f) {
+                                                                    phi_2002_ = true;
                                                                 } else {
-                                                                    let _e1674 = (_e1532[1][0] - _e1532[0][0]);
-                                                                    let _e1675 = (_e1532[1][1] - _e1532[0][1]);
-                                                                    let _e1676 = (_e1532[1][2] - _e1532[0][2]);
-                                                                    let _e1677 = vec3<f32>(_e1674, _e1675, _e1676);
-                                                                    let _e1678 = (_e1532[2][0] - _e1532[1][0]);
-                                                                    let _e1679 = (_e1532[2][1] - _e1532[1][1]);
-                                                                    let _e1680 = (_e1532[2][2] - _e1532[1][2]);
-                                                                    let _e1681 = vec3<f32>(_e1678, _e1679, _e1680);
-                                                                    let _e1682 = (_e1532[0][0] - _e1532[2][0]);
-                                                                    let _e1683 = (_e1532[0][1] - _e1532[2][1]);
-                                                                    let _e1684 = (_e1532[0][2] - _e1532[2][2]);
-                                                                    let _e1685 = vec3<f32>(_e1682, _e1683, _e1684);
-                                                                    let _e1688 = bitcast<f32>((bitcast<u32>(_e1674) & 2147483647u));
-                                                                    let _e1691 = bitcast<f32>((bitcast<u32>(_e1675) & 2147483647u));
-                                                                    let _e1693 = select(_e1691, _e1688, (_e1688 > _e1691));
-                                                                    let _e1696 = bitcast<f32>((bitcast<u32>(_e1676) & 2147483647u));
-                                                                    let _e1698 = select(_e1696, _e1693, (_e1693 > _e1696));
-                                                                    let _e1701 = bitcast<f32>((bitcast<u32>(_e1678) & 2147483647u));
-                                                                    let _e1704 = bitcast<f32>((bitcast<u32>(_e1679) & 2147483647u));
-                                                                    let _e1706 = select(_e1704, _e1701, (_e1701 > _e1704));
-                                                                    let _e1709 = bitcast<f32>((bitcast<u32>(_e1680) & 2147483647u));
-                                                                    let _e1711 = select(_e1709, _e1706, (_e1706 > _e1709));
-                                                                    let _e1714 = bitcast<f32>((bitcast<u32>(_e1682) & 2147483647u));
-                                                                    let _e1717 = bitcast<f32>((bitcast<u32>(_e1683) & 2147483647u));
-                                                                    let _e1719 = select(_e1717, _e1714, (_e1714 > _e1717));
-                                                                    let _e1722 = bitcast<f32>((bitcast<u32>(_e1684) & 2147483647u));
-                                                                    let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
-                                                                    let _e1726 = select(_e1711, _e1698, (_e1698 > _e1711));
-                                                                    let _e1728 = select(_e1724, _e1726, (_e1726 > _e1724));
-                                                                    if (_e1698 == _e1728) {
-                                                                        phi_2321_ = _e1681;
-                                                                        phi_2322_ = _e1685;
+                                                                    let _e1626 = select(_e1561, _e1548, (_e1548 > _e1561));
+                                                                    phi_2002_ = (select(_e1574, _e1626, (_e1626 > _e1574)) < 0f);
+                                                                }
+                                                                let _e1631 = phi_2002_;
+                                                                if _e1631 {
+                                                                    phi_2679_ = type_25();
+                                                                    phi_2680_ = false;
+                                                                } else {
+                                                                    let _e1633 = select(_e1534[1][0], _e1534[0][0], (_e1534[0][0] < _e1534[1][0]));
+                                                                    let _e1637 = select(_e1534[1][0], _e1534[0][0], (_e1534[0][0] > _e1534[1][0]));
+                                                                    let _e1641 = select(_e1534[1][1], _e1534[0][1], (_e1534[0][1] < _e1534[1][1]));
+                                                                    let _e1645 = select(_e1534[1][1], _e1534[0][1], (_e1534[0][1] > _e1534[1][1]));
+                                                                    let _e1649 = select(_e1534[1][2], _e1534[0][2], (_e1534[0][2] < _e1534[1][2]));
+                                                                    let _e1653 = select(_e1534[1][2], _e1534[0][2], (_e1534[0][2] > _e1534[1][2]));
+                                                                    let _e1658 = ((select(_e1534[2][0], _e1633, (_e1633 < _e1534[2][0])) - _e430) * _e435);
+                                                                    let _e1659 = ((select(_e1534[2][0], _e1637, (_e1637 > _e1534[2][0])) - _e431) * _e435);
+                                                                    let _e1662 = ((select(_e1534[2][1], _e1641, (_e1641 < _e1534[2][1])) - _e466) * _e471);
+                                                                    let _e1663 = ((select(_e1534[2][1], _e1645, (_e1645 > _e1534[2][1])) - _e467) * _e471);
+                                                                    let _e1666 = ((select(_e1534[2][2], _e1649, (_e1649 < _e1534[2][2])) - _e502) * _e507);
+                                                                    let _e1667 = ((select(_e1534[2][2], _e1653, (_e1653 > _e1534[2][2])) - _e503) * _e507);
+                                                                    let _e1669 = select(_e1667, _e1666, (_e1666 < _e1667));
+                                                                    let _e1671 = select(_e1667, _e1666, (_e1666 > _e1667));
+                                                                    let _e1673 = select(_e1659, _e1658, (_e1658 < _e1659));
+                                                                    let _e1675 = select(_e1663, _e1662, (_e1662 < _e1663));
+                                                                    let _e1677 = select(_e1675, _e1673, (_e1673 > _e1675));
+                                                                    let _e1679 = select(_e1669, _e1677, (_e1677 > _e1669));
+                                                                    let _e1681 = select(_e1659, _e1658, (_e1658 > _e1659));
+                                                                    let _e1683 = select(_e1663, _e1662, (_e1662 > _e1663));
+                                                                    let _e1685 = select(_e1683, _e1681, (_e1681 < _e1683));
+                                                                    let _e1687 = select(_e1671, _e1685, (_e1685 < _e1671));
+                                                                    let _e1688 = -(_e1669);
+                                                                    let _e1694 = select(_e553, _e1679, (_e1679 > _e553));
+                                                                    if (_e1694 > (_e1687 + (select(_e1688, _e1671, (_e1671 > _e1688)) * 0.0000019073523f))) {
+                                                                        phi_2674_ = type_25();
+                                                                        phi_2675_ = true;
                                                                     } else {
-                                                                        let _e1731 = vec3((_e1711 == _e1728));
-                                                                        phi_2321_ = select(_e1677, _e1685, _e1731);
-                                                                        phi_2322_ = select(_e1681, _e1677, _e1731);
-                                                                    }
-                                                                    let _e1735 = phi_2321_;
-                                                                    let _e1737 = phi_2322_;
-                                                                    let _e1744 = ((_e1735.y * _e1737.z) - (_e1737.y * _e1735.z));
-                                                                    let _e1749 = ((_e1735.z * _e1737.x) - (_e1737.z * _e1735.x));
-                                                                    let _e1752 = ((_e1735.x * _e1737.y) - (_e1737.x * _e1735.y));
-                                                                    if (_e1594 >= _e1598) {
-                                                                        phi_2353_ = select(true, false, (_e1594 >= _e1602));
-                                                                    } else {
-                                                                        phi_2353_ = true;
-                                                                    }
-                                                                    let _e1757 = phi_2353_;
-                                                                    if _e1757 {
-                                                                        phi_2362_ = select(vec3<f32>(_e1532[2][0], _e1532[2][1], _e1532[2][2]), vec3<f32>(_e1532[1][0], _e1532[1][1], _e1532[1][2]), vec3((_e1598 >= _e1602)));
-                                                                    } else {
-                                                                        phi_2362_ = vec3<f32>(_e1532[0][0], _e1532[0][1], _e1532[0][2]);
-                                                                    }
-                                                                    let _e1762 = phi_2362_;
-                                                                    let _e1779 = ((((_e1744 * (_e1762.x - _e405)) + (_e1749 * (_e1762.y - _e442))) + (_e1752 * (_e1762.z - _e478))) / (((_e1744 * _e430) + (_e1749 * _e466)) + (_e1752 * _e502)));
-                                                                    let _e1781 = select(_e1661, _e1779, (_e1779 < _e1661));
-                                                                    let _e1783 = select(_e1653, _e1781, (_e1781 > _e1653));
-                                                                    if (_e1783 >= _e551) {
-                                                                        let _e1785 = (_e1783 <= _e1103.member);
-                                                                        if _e1785 {
-                                                                            let _e1786 = (1f / _e1604);
-                                                                            phi_2402_ = type_25(_e1783, (_e1598 * _e1786), (_e1602 * _e1786), _e1163);
+                                                                        let _e1696 = (_e1694 > _e1105.member);
+                                                                        if _e1696 {
+                                                                            phi_2673_ = type_25();
                                                                         } else {
-                                                                            phi_2402_ = type_25();
+                                                                            let _e1697 = vec3<f32>(_e1534[0][0], _e1534[0][1], _e1534[0][2]);
+                                                                            let _e1698 = vec3<f32>(_e1534[1][0], _e1534[1][1], _e1534[1][2]);
+                                                                            let _e1699 = vec3<f32>(_e1534[2][0], _e1534[2][1], _e1534[2][2]);
+                                                                            let _e1700 = (_e1534[1][0] - _e1534[0][0]);
+                                                                            let _e1701 = (_e1534[1][1] - _e1534[0][1]);
+                                                                            let _e1702 = (_e1534[1][2] - _e1534[0][2]);
+                                                                            let _e1703 = vec3<f32>(_e1700, _e1701, _e1702);
+                                                                            let _e1704 = (_e1534[2][0] - _e1534[1][0]);
+                                                                            let _e1705 = (_e1534[2][1] - _e1534[1][1]);
+                                                                            let _e1706 = (_e1534[2][2] - _e1534[1][2]);
+                                                                            let _e1707 = vec3<f32>(_e1704, _e1705, _e1706);
+                                                                            let _e1708 = (_e1534[0][0] - _e1534[2][0]);
+                                                                            let _e1709 = (_e1534[0][1] - _e1534[2][1]);
+                                                                            let _e1710 = (_e1534[0][2] - _e1534[2][2]);
+                                                                            let _e1711 = vec3<f32>(_e1708, _e1709, _e1710);
+                                                                            let _e1714 = bitcast<f32>((bitcast<u32>(_e1700) & 2147483647u));
+                                                                            let _e1717 = bitcast<f32>((bitcast<u32>(_e1701) & 2147483647u));
+                                                                            let _e1719 = select(_e1717, _e1714, (_e1714 > _e1717));
+                                                                            let _e1722 = bitcast<f32>((bitcast<u32>(_e1702) & 2147483647u));
+                                                                            let _e1724 = select(_e1722, _e1719, (_e1719 > _e1722));
+                                                                            let _e1727 = bitcast<f32>((bitcast<u32>(_e1704) & 2147483647u));
+                                                                            let _e1730 = bitcast<f32>((bitcast<u32>(_e1705) & 2147483647u));
+                                                                            let _e1732 = select(_e1730, _e1727, (_e1727 > _e1730));
+                                                                            let _e1735 = bitcast<f32>((bitcast<u32>(_e1706) & 2147483647u));
+                                                                            let _e1737 = select(_e1735, _e1732, (_e1732 > _e1735));
+                                                                            let _e1740 = bitcast<f32>((bitcast<u32>(_e1708) & 2147483647u));
+                                                                            let _e1743 = bitcast<f32>((bitcast<u32>(_e1709) & 2147483647u));
+                                                                            let _e1745 = select(_e1743, _e1740, (_e1740 > _e1743));
+                                                                            let _e1748 = bitcast<f32>((bitcast<u32>(_e1710) & 2147483647u));
+                                                                            let _e1750 = select(_e1748, _e1745, (_e1745 > _e1748));
+                                                                            let _e1752 = select(_e1737, _e1724, (_e1724 > _e1737));
+                                                                            let _e1754 = select(_e1750, _e1752, (_e1752 > _e1750));
+                                                                            if (_e1724 == _e1754) {
+                                                                                phi_2403_ = _e1561;
+                                                                                phi_2404_ = _e1558;
+                                                                                phi_2405_ = _e1548;
+                                                                                phi_2406_ = _e1545;
+                                                                                phi_2407_ = _e1697;
+                                                                                phi_2408_ = _e1711;
+                                                                                phi_2409_ = _e1707;
+                                                                                phi_2410_ = _e1703;
+                                                                            } else {
+                                                                                let _e1756 = (_e1737 == _e1754);
+                                                                                let _e1761 = vec3(_e1756);
+                                                                                phi_2403_ = select(_e1548, _e1574, _e1756);
+                                                                                phi_2404_ = select(_e1545, _e1571, _e1756);
+                                                                                phi_2405_ = select(_e1574, _e1561, _e1756);
+                                                                                phi_2406_ = select(_e1571, _e1558, _e1756);
+                                                                                phi_2407_ = select(_e1699, _e1698, _e1761);
+                                                                                phi_2408_ = select(_e1707, _e1703, _e1761);
+                                                                                phi_2409_ = select(_e1703, _e1711, _e1761);
+                                                                                phi_2410_ = select(_e1711, _e1707, _e1761);
+                                                                            }
+                                                                            let _e1767 = phi_2403_;
+                                                                            let _e1769 = phi_2404_;
+                                                                            let _e1771 = phi_2405_;
+                                                                            let _e1773 = phi_2406_;
+                                                                            let _e1775 = phi_2407_;
+                                                                            let _e1777 = phi_2408_;
+                                                                            let _e1779 = phi_2409_;
+                                                                            let _e1781 = phi_2410_;
+                                                                            let _e1788 = ((_e1779.y * _e1777.z) - (_e1777.y * _e1779.z));
+                                                                            let _e1793 = ((_e1779.z * _e1777.x) - (_e1777.z * _e1779.x));
+                                                                            let _e1796 = ((_e1779.x * _e1777.y) - (_e1777.x * _e1779.y));
+                                                                            if (_e1596 >= _e1600) {
+                                                                                phi_2441_ = select(true, false, (_e1596 >= _e1604));
+                                                                            } else {
+                                                                                phi_2441_ = true;
+                                                                            }
+                                                                            let _e1801 = phi_2441_;
+                                                                            if _e1801 {
+                                                                                phi_2450_ = select(_e1699, _e1698, vec3((_e1600 >= _e1604)));
+                                                                            } else {
+                                                                                phi_2450_ = _e1697;
+                                                                            }
+                                                                            let _e1806 = phi_2450_;
+                                                                            let _e1811 = (((_e1788 * _e432) + (_e1793 * _e468)) + (_e1796 * _e504));
+                                                                            let _e1822 = (((_e1788 * (_e1806.x - _e407)) + (_e1793 * (_e1806.y - _e444))) + (_e1796 * (_e1806.z - _e480)));
+                                                                            let _e1824 = (_e1769 - _e1773);
+                                                                            let _e1825 = (_e1767 - _e1771);
+                                                                            let _e1833 = (-(((_e1773 * _e1824) + (_e1771 * _e1825))) / ((_e1824 * _e1824) + (_e1825 * _e1825)));
+                                                                            let _e1835 = select(1f, _e1833, (_e1833 < 1f));
+                                                                            let _e1837 = select(0f, _e1835, (_e1835 > 0f));
+                                                                            let _e1850 = ((_e1775.x + (_e1781.x * _e1837)) - _e407);
+                                                                            let _e1851 = ((_e1775.y + (_e1781.y * _e1837)) - _e444);
+                                                                            let _e1852 = ((_e1775.z + (_e1781.z * _e1837)) - _e480);
+                                                                            let _e1853 = (_e1852 / _e504);
+                                                                            let _e1865 = bitcast<f32>((bitcast<u32>(_e1850) & 2147483647u));
+                                                                            let _e1868 = bitcast<f32>((bitcast<u32>(_e1851) & 2147483647u));
+                                                                            let _e1870 = select(_e1868, _e1865, (_e1865 > _e1868));
+                                                                            let _e1873 = bitcast<f32>((bitcast<u32>(_e1852) & 2147483647u));
+                                                                            let _e1875 = select(_e1873, _e1870, (_e1870 > _e1873));
+                                                                            let _e1881 = bitcast<f32>((bitcast<u32>(_e1788) & 2147483647u));
+                                                                            let _e1884 = bitcast<f32>((bitcast<u32>(_e1793) & 2147483647u));
+                                                                            let _e1886 = select(_e1884, _e1881, (_e1881 > _e1884));
+                                                                            let _e1889 = bitcast<f32>((bitcast<u32>(_e1796) & 2147483647u));
+                                                                            if (bitcast<f32>((bitcast<u32>(((((_e1788 * _e1850) + (_e1793 * _e1851)) + (_e1796 * _e1852)) - _e1822)) & 2147483647u)) <= ((0.0000009536743f * select(_e1754, _e1875, (_e1875 > _e1754))) * select(_e1889, _e1886, (_e1886 > _e1889)))) {
+                                                                                let _e1899 = bitcast<f32>((bitcast<u32>(_e1779.x) & 2147483647u));
+                                                                                let _e1902 = bitcast<f32>((bitcast<u32>(_e1779.y) & 2147483647u));
+                                                                                let _e1904 = select(_e1902, _e1899, (_e1899 > _e1902));
+                                                                                let _e1907 = bitcast<f32>((bitcast<u32>(_e1779.z) & 2147483647u));
+                                                                                let _e1913 = bitcast<f32>((bitcast<u32>(_e1777.x) & 2147483647u));
+                                                                                let _e1916 = bitcast<f32>((bitcast<u32>(_e1777.y) & 2147483647u));
+                                                                                let _e1918 = select(_e1916, _e1913, (_e1913 > _e1916));
+                                                                                let _e1921 = bitcast<f32>((bitcast<u32>(_e1777.z) & 2147483647u));
+                                                                                phi_2617_ = select(true, false, (bitcast<f32>((bitcast<u32>(_e1811) & 2147483647u)) > ((0.0000038146973f * select(_e1907, _e1904, (_e1904 > _e1907))) * select(_e1921, _e1918, (_e1918 > _e1921)))));
+                                                                            } else {
+                                                                                phi_2617_ = true;
+                                                                            }
+                                                                            let _e1928 = phi_2617_;
+                                                                            if _e1928 {
+                                                                                let _e1939 = ((((_e1788 * (_e1850 - (_e432 * _e1853))) + (_e1793 * (_e1851 - (_e468 * _e1853)))) + (_e1796 * (_e1852 - _e1852))) / _e1811);
+                                                                                if (bitcast<f32>((bitcast<u32>(_e1939) & 2147483647u)) <= _e1754) {
+                                                                                    phi_2641_ = (_e1853 + _e1939);
+                                                                                } else {
+                                                                                    phi_2641_ = _e1853;
+                                                                                }
+                                                                                let _e1946 = phi_2641_;
+                                                                                phi_2642_ = _e1946;
+                                                                            } else {
+                                                                                phi_2642_ = (_e1822 / _e1811);
+                                                                            }
+                                                                            let _e1948 = phi_2642_;
+                                                                            let _e1950 = select(_e1687, _e1948, (_e1948 < _e1687));
+                                                                            let _e1952 = select(_e1679, _e1950, (_e1950 > _e1679));
+                                                                            if (_e1952 >= _e553) {
+                                                                                let _e1954 = (_e1952 <= _e1105.member);
+                                                                                if _e1954 {
+                                                                                    let _e1955 = (1f / _e1606);
+                                                                                    phi_2665_ = type_25(_e1952, (_e1600 * _e1955), (_e1604 * _e1955), _e1165);
+                                                                                } else {
+                                                                                    phi_2665_ = type_25();
+                                                                                }
+                                                                                let _e1960 = phi_2665_;
+                                                                                phi_2667_ = _e1960;
+                                                                                phi_2668_ = select(true, false, _e1954);
+                                                                            } else {
+                                                                                phi_2667_ = type_25();
+                                                                                phi_2668_ = true;
+                                                                            }
+                                                                            let _e1963 = phi_2667_;
+                                                                            let _e1965 = phi_2668_;
+                                                                            if _e1965 {
+                                                                                phi_2672_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                                            } else {
+                                                                                phi_2672_ = _e1963;
+                                                                            }
+                                                                            let _e1967 = phi_2672_;
+                                                                            phi_2673_ = _e1967;
                                                                         }
-                                                                        let _e1791 = phi_2402_;
-                                                                        phi_2404_ = _e1791;
-                                                                        phi_2405_ = select(true, false, _e1785);
-                                                                    } else {
-                                                                        phi_2404_ = type_25();
-                                                                        phi_2405_ = true;
+                                                                        let _e1969 = phi_2673_;
+                                                                        phi_2674_ = _e1969;
+                                                                        phi_2675_ = _e1696;
                                                                     }
-                                                                    let _e1794 = phi_2404_;
-                                                                    let _e1796 = phi_2405_;
-                                                                    if _e1796 {
-                                                                        phi_2409_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
-                                                                    } else {
-                                                                        phi_2409_ = _e1794;
-                                                                    }
-                                                                    let _e1798 = phi_2409_;
-                                                                    phi_2410_ = _e1798;
+                                                                    let _e1971 = phi_2674_;
+                                                                    let _e1973 = phi_2675_;
+                                                                    phi_2679_ = _e1971;
+                                                                    phi_2680_ = _e1973;
                                                                 }
-                                                                let _e1800 = phi_2410_;
-                                                                phi_2411_ = _e1800;
-                                                                phi_2412_ = _e1670;
+                                                                let _e1975 = phi_2679_;
+                                                                let _e1977 = phi_2680_;
+                                                                phi_2681_ = _e1975;
+                                                                phi_2682_ = _e1631;
+                                                                phi_2683_ = _e1977;
                                                             }
-                                                            let _e1802 = phi_2411_;
-                                                            let _e1804 = phi_2412_;
-                                                            phi_2416_ = _e1802;
-                                                            phi_2417_ = _e1804;
+                                                            let _e1979 = phi_2681_;
+                                                            let _e1981 = phi_2682_;
+                                                            let _e1983 = phi_2683_;
+                                                            phi_2684_ = _e1979;
+                                                            phi_2685_ = _e1981;
+                                                            phi_2686_ = _e1983;
                                                         }
-                                                        let _e1806 = phi_2416_;
-                                                        let _e1808 = phi_2417_;
-                                                        phi_2421_ = _e1806;
-                                                        phi_2422_ = _e1808;
+                                                        let _e1985 = phi_2684_;
+                                                        let _e1987 = phi_2685_;
+                                                        let _e1989 = phi_2686_;
+                                                        phi_2694_ = _e1985;
+                                                        phi_2695_ = select(_e1989, true, _e1987);
                                                     } else {
-                                                        phi_2421_ = type_25();
-                                                        phi_2422_ = true;
+                                                        phi_2694_ = type_25();
+                                                        phi_2695_ = true;
                                                     }
-                                                    let _e1810 = phi_2421_;
-                                                    let _e1812 = phi_2422_;
-                                                    if _e1812 {
-                                                        phi_2426_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
+                                                    let _e1992 = phi_2694_;
+                                                    let _e1994 = phi_2695_;
+                                                    if _e1994 {
+                                                        phi_2699_ = type_25(340282350000000000000000000000000000000f, 0f, 0f, 4294967295u);
                                                     } else {
-                                                        phi_2426_ = _e1810;
+                                                        phi_2699_ = _e1992;
                                                     }
-                                                    let _e1814 = phi_2426_;
-                                                    if (_e1814.member_3 != 4294967295u) {
-                                                        if (_e1163 == _e168) {
-                                                            phi_2755_ = false;
+                                                    let _e1996 = phi_2699_;
+                                                    if (_e1996.member_3 != 4294967295u) {
+                                                        if (_e1165 == _e170) {
+                                                            phi_3028_ = false;
                                                         } else {
-                                                            let _e1818 = (_e1163 < arrayLength((&global_6.member)));
-                                                            if _e1818 {
-                                                                if _e1818 {
+                                                            let _e2000 = (_e1165 < arrayLength((&global_6.member)));
+                                                            if _e2000 {
+                                                                if _e2000 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1820 = global_6.member[_e1163];
-                                                                phi_2449_ = _e1820;
+                                                                let _e2002 = global_6.member[_e1165];
+                                                                phi_2722_ = _e2002;
                                                             } else {
-                                                                phi_2449_ = 4294967295u;
+                                                                phi_2722_ = 4294967295u;
                                                             }
-                                                            let _e1822 = phi_2449_;
-                                                            let _e1823 = (_e1822 < arrayLength((&global_7.member)));
-                                                            if _e1823 {
-                                                                if _e1823 {
+                                                            let _e2004 = phi_2722_;
+                                                            let _e2005 = (_e2004 < arrayLength((&global_7.member)));
+                                                            if _e2005 {
+                                                                if _e2005 {
                                                                 } else {
-                                                                    phi_4260_ = true;
+                                                                    phi_4533_ = true;
                                                                     break;
                                                                 }
-                                                                let _e1825 = global_7.member[_e1822];
-                                                                phi_2463_ = _e1825;
+                                                                let _e2007 = global_7.member[_e2004];
+                                                                phi_2736_ = _e2007;
                                                             } else {
-                                                                phi_2463_ = 0i;
+                                                                phi_2736_ = 0i;
                                                             }
-                                                            let _e1827 = phi_2463_;
-                                                            let _e1828 = (_e1827 == 0i);
-                                                            if _e1828 {
-                                                                phi_2754_ = true;
+                                                            let _e2009 = phi_2736_;
+                                                            let _e2010 = (_e2009 == 0i);
+                                                            if _e2010 {
+                                                                phi_3027_ = true;
                                                             } else {
-                                                                if _e397 {
-                                                                    phi_2484_ = vec3<f32>(_e1532[0][0], _e1532[0][1], _e1532[0][2]);
+                                                                if _e399 {
+                                                                    phi_2757_ = vec3<f32>(_e1534[0][0], _e1534[0][1], _e1534[0][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2483_ = vec3<f32>(_e1532[0][2], _e1532[0][0], _e1532[0][1]);
+                                                                    if (_e375 == 1u) {
+                                                                        phi_2756_ = vec3<f32>(_e1534[0][2], _e1534[0][0], _e1534[0][1]);
                                                                     } else {
-                                                                        phi_2483_ = vec3<f32>(_e1532[0][1], _e1532[0][2], _e1532[0][0]);
+                                                                        phi_2756_ = vec3<f32>(_e1534[0][1], _e1534[0][2], _e1534[0][0]);
                                                                     }
-                                                                    let _e1833 = phi_2483_;
-                                                                    phi_2484_ = _e1833;
+                                                                    let _e2015 = phi_2756_;
+                                                                    phi_2757_ = _e2015;
                                                                 }
-                                                                let _e1836 = phi_2484_;
-                                                                if _e397 {
-                                                                    phi_2501_ = vec3<f32>(_e1532[1][0], _e1532[1][1], _e1532[1][2]);
+                                                                let _e2018 = phi_2757_;
+                                                                if _e399 {
+                                                                    phi_2774_ = vec3<f32>(_e1534[1][0], _e1534[1][1], _e1534[1][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2500_ = vec3<f32>(_e1532[1][2], _e1532[1][0], _e1532[1][1]);
+                                                                    if (_e375 == 1u) {
+                                                                        phi_2773_ = vec3<f32>(_e1534[1][2], _e1534[1][0], _e1534[1][1]);
                                                                     } else {
-                                                                        phi_2500_ = vec3<f32>(_e1532[1][1], _e1532[1][2], _e1532[1][0]);
+                                                                        phi_2773_ = vec3<f32>(_e1534[1][1], _e1534[1][2], _e1534[1][0]);
                                                                     }
-                                                                    let _e1841 = phi_2500_;
-                                                                    phi_2501_ = _e1841;
+                                                                    let _e2023 = phi_2773_;
+                                                                    phi_2774_ = _e2023;
                                                                 }
-                                                                let _e1844 = phi_2501_;
-                                                                if _e397 {
-                                                                    phi_2518_ = vec3<f32>(_e1532[2][0], _e1532[2][1], _e1532[2][2]);
+                                                                let _e2026 = phi_2774_;
+                                                                if _e399 {
+                                                                    phi_2791_ = vec3<f32>(_e1534[2][0], _e1534[2][1], _e1534[2][2]);
                                                                 } else {
-                                                                    if (_e373 == 1u) {
-                                                                        phi_2517_ = vec3<f32>(_e1532[2][2], _e1532[2][0], _e1532[2][1]);
+                                                                    if (_e375 == 1u) {
+                                                                        phi_2790_ = vec3<f32>(_e1534[2][2], _e1534[2][0], _e1534[2][1]);
                                                                     } else {
-                                                                        phi_2517_ = vec3<f32>(_e1532[2][1], _e1532[2][2], _e1532[2][0]);
+                                                                        phi_2790_ = vec3<f32>(_e1534[2][1], _e1534[2][2], _e1534[2][0]);
                                                                     }
-                                                                    let _e1849 = phi_2517_;
-                                                                    phi_2518_ = _e1849;
+                                                                    let _e2031 = phi_2790_;
+                                                                    phi_2791_ = _e2031;
                                                                 }
-                                                                let _e1852 = phi_2518_;
-                                                                let _e1855 = (_e1844.x - _e1836.x);
-                                                                let _e1858 = (_e1844.y - _e1836.y);
-                                                                let _e1861 = (_e1844.z - _e1836.z);
-                                                                let _e1863 = (_e1852.x - _e1836.x);
-                                                                let _e1865 = (_e1852.y - _e1836.y);
-                                                                let _e1867 = (_e1852.z - _e1836.z);
-                                                                if (_e240.member_1 == 1u) {
-                                                                    phi_2554_ = (vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]) - _e1836);
+                                                                let _e2034 = phi_2791_;
+                                                                let _e2037 = (_e2026.x - _e2018.x);
+                                                                let _e2040 = (_e2026.y - _e2018.y);
+                                                                let _e2043 = (_e2026.z - _e2018.z);
+                                                                let _e2045 = (_e2034.x - _e2018.x);
+                                                                let _e2047 = (_e2034.y - _e2018.y);
+                                                                let _e2049 = (_e2034.z - _e2018.z);
+                                                                if (_e242.member_1 == 1u) {
+                                                                    phi_2827_ = (vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]) - _e2018);
                                                                 } else {
-                                                                    phi_2554_ = vec3<f32>(_e240.member[0], _e240.member[1], _e240.member[2]);
+                                                                    phi_2827_ = vec3<f32>(_e242.member[0], _e242.member[1], _e242.member[2]);
                                                                 }
-                                                                let _e1882 = phi_2554_;
-                                                                let _e1888 = bitcast<f32>((bitcast<u32>((_e1855 * _e1865)) ^ _e240.member_3[0]));
-                                                                let _e1892 = bitcast<f32>((bitcast<u32>((_e1858 * _e1863)) ^ _e240.member_3[0]));
-                                                                let _e1896 = bitcast<f32>((bitcast<u32>((_e1858 * _e1867)) ^ _e240.member_3[0]));
-                                                                let _e1900 = bitcast<f32>((bitcast<u32>((_e1861 * _e1865)) ^ _e240.member_3[0]));
-                                                                let _e1904 = bitcast<f32>((bitcast<u32>((_e1861 * _e1863)) ^ _e240.member_3[0]));
-                                                                let _e1908 = bitcast<f32>((bitcast<u32>((_e1855 * _e1867)) ^ _e240.member_3[0]));
-                                                                let _e1909 = (_e1896 - _e1900);
-                                                                let _e1910 = (_e1904 - _e1908);
-                                                                let _e1911 = (_e1888 - _e1892);
-                                                                let _e1935 = (bitcast<f32>((bitcast<u32>(_e1896) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1900) & 2147483647u)));
-                                                                let _e1942 = (bitcast<f32>((bitcast<u32>(_e1904) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1908) & 2147483647u)));
-                                                                let _e1949 = (bitcast<f32>((bitcast<u32>(_e1888) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e1892) & 2147483647u)));
-                                                                if (_e240.member_2 == 0f) {
-                                                                    phi_2736_ = 0f;
+                                                                let _e2064 = phi_2827_;
+                                                                let _e2070 = bitcast<f32>((bitcast<u32>((_e2037 * _e2047)) ^ _e242.member_3[0]));
+                                                                let _e2074 = bitcast<f32>((bitcast<u32>((_e2040 * _e2045)) ^ _e242.member_3[0]));
+                                                                let _e2078 = bitcast<f32>((bitcast<u32>((_e2040 * _e2049)) ^ _e242.member_3[0]));
+                                                                let _e2082 = bitcast<f32>((bitcast<u32>((_e2043 * _e2047)) ^ _e242.member_3[0]));
+                                                                let _e2086 = bitcast<f32>((bitcast<u32>((_e2043 * _e2045)) ^ _e242.member_3[0]));
+                                                                let _e2090 = bitcast<f32>((bitcast<u32>((_e2037 * _e2049)) ^ _e242.member_3[0]));
+                                                                let _e2091 = (_e2078 - _e2082);
+                                                                let _e2092 = (_e2086 - _e2090);
+                                                                let _e2093 = (_e2070 - _e2074);
+                                                                let _e2117 = (bitcast<f32>((bitcast<u32>(_e2078) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2082) & 2147483647u)));
+                                                                let _e2124 = (bitcast<f32>((bitcast<u32>(_e2086) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2090) & 2147483647u)));
+                                                                let _e2131 = (bitcast<f32>((bitcast<u32>(_e2070) & 2147483647u)) + bitcast<f32>((bitcast<u32>(_e2074) & 2147483647u)));
+                                                                if (_e242.member_2 == 0f) {
+                                                                    phi_3009_ = 0f;
                                                                 } else {
-                                                                    let _e1979 = bitcast<f32>((bitcast<u32>(_e1909) & 2147483647u));
-                                                                    let _e1982 = bitcast<f32>((bitcast<u32>(_e1910) & 2147483647u));
-                                                                    let _e1985 = bitcast<f32>((bitcast<u32>(_e1911) & 2147483647u));
-                                                                    let _e1987 = select(_e1985, _e1982, (_e1982 > _e1985));
-                                                                    let _e1991 = select(_e1985, _e1982, (_e1982 < _e1985));
-                                                                    let _e1995 = select(_e1982, _e1979, (_e1979 < _e1982));
-                                                                    let _e1997 = select(_e1982, _e1979, (_e1979 > _e1982));
-                                                                    let _e1999 = select(_e1985, _e1997, (_e1997 < _e1985));
-                                                                    phi_2736_ = bitcast<f32>((bitcast<u32>((_e240.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e1987, _e1979, (_e1979 > _e1987)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e1999, _e1995, (_e1995 > _e1999)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e1991, _e1979, (_e1979 < _e1991)))) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e1935 + _e1942) + _e1949))) ^ _e240.member_3[0]))) * 1.0000005f)) ^ _e240.member_3[0])))) ^ _e240.member_3[0]));
+                                                                    let _e2161 = bitcast<f32>((bitcast<u32>(_e2091) & 2147483647u));
+                                                                    let _e2164 = bitcast<f32>((bitcast<u32>(_e2092) & 2147483647u));
+                                                                    let _e2167 = bitcast<f32>((bitcast<u32>(_e2093) & 2147483647u));
+                                                                    let _e2169 = select(_e2167, _e2164, (_e2164 > _e2167));
+                                                                    let _e2173 = select(_e2167, _e2164, (_e2164 < _e2167));
+                                                                    let _e2177 = select(_e2164, _e2161, (_e2161 < _e2164));
+                                                                    let _e2179 = select(_e2164, _e2161, (_e2161 > _e2164));
+                                                                    let _e2181 = select(_e2167, _e2179, (_e2179 < _e2167));
+                                                                    phi_3009_ = bitcast<f32>((bitcast<u32>((_e242.member_2 * bitcast<f32>((bitcast<u32>(((((select(_e2169, _e2161, (_e2161 > _e2169)) + bitcast<f32>((bitcast<u32>((0.414214f * select(_e2181, _e2177, (_e2177 > _e2181)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.317838f * select(_e2173, _e2161, (_e2161 < _e2173)))) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((0.0000004768374f * ((_e2117 + _e2124) + _e2131))) ^ _e242.member_3[0]))) * 1.0000005f)) ^ _e242.member_3[0])))) ^ _e242.member_3[0]));
                                                                 }
-                                                                let _e2026 = phi_2736_;
-                                                                phi_2754_ = (_e1828 || !(((((bitcast<f32>((bitcast<u32>((_e1882.x * _e1909)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((_e1882.y * _e1910)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e1882.z * _e1911)) ^ _e240.member_3[0]))) * f32(-(_e1827))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.x) & 2147483647u)) * _e1935)) ^ _e240.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.y) & 2147483647u)) * _e1942)) ^ _e240.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e1882.z) & 2147483647u)) * _e1949)) ^ _e240.member_3[0]))))) ^ _e240.member_3[0])) + _e2026) + 0.0000000000000000000000000000000000001880791f))));
+                                                                let _e2208 = phi_3009_;
+                                                                phi_3027_ = (_e2010 || !(((((bitcast<f32>((bitcast<u32>((_e2064.x * _e2091)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((_e2064.y * _e2092)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((_e2064.z * _e2093)) ^ _e242.member_3[0]))) * f32(-(_e2009))) > ((bitcast<f32>((bitcast<u32>((0.0000009536752f * ((bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2064.x) & 2147483647u)) * _e2117)) ^ _e242.member_3[0])) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2064.y) & 2147483647u)) * _e2124)) ^ _e242.member_3[0]))) + bitcast<f32>((bitcast<u32>((bitcast<f32>((bitcast<u32>(_e2064.z) & 2147483647u)) * _e2131)) ^ _e242.member_3[0]))))) ^ _e242.member_3[0])) + _e2208) + 0.0000000000000000000000000000000000001880791f))));
                                                             }
-                                                            let _e2040 = phi_2754_;
-                                                            phi_2755_ = _e2040;
+                                                            let _e2222 = phi_3027_;
+                                                            phi_3028_ = _e2222;
                                                         }
-                                                        let _e2042 = phi_2755_;
-                                                        if _e2042 {
-                                                            phi_2760_ = type_46(_e1103.member, true);
+                                                        let _e2224 = phi_3028_;
+                                                        if _e2224 {
+                                                            phi_3033_ = type_46(_e1105.member, true);
                                                         } else {
-                                                            phi_2760_ = _e1103;
+                                                            phi_3033_ = _e1105;
                                                         }
-                                                        let _e2047 = phi_2760_;
-                                                        phi_2761_ = _e2047;
+                                                        let _e2229 = phi_3033_;
+                                                        phi_3034_ = _e2229;
                                                     } else {
-                                                        phi_2761_ = _e1103;
+                                                        phi_3034_ = _e1105;
                                                     }
-                                                    let _e2049 = phi_2761_;
-                                                    phi_1132_ = _e2049;
+                                                    let _e2231 = phi_3034_;
+                                                    phi_1138_ = _e2231;
                                                 } else {
-                                                    phi_1132_ = type_46();
+                                                    phi_1138_ = type_46();
                                                 }
-                                                let _e2051 = phi_1132_;
+                                                let _e2233 = phi_1138_;
                                                 continue;
                                                 continuing {
-                                                    phi_1131_ = _e2051;
-                                                    phi_1134_ = _e1118;
-                                                    phi_4260_ = _e593;
-                                                    break if !(_e1124);
+                                                    phi_1137_ = _e2233;
+                                                    phi_1140_ = _e1120;
+                                                    phi_4533_ = _e595;
+                                                    break if !(_e1126);
                                                 }
                                             }
-                                            let _e2054 = phi_4260_;
-                                            phi_4445_ = _e2054;
-                                            if _e2054 {
+                                            let _e2236 = phi_4533_;
+                                            phi_4746_ = _e2236;
+                                            if _e2236 {
                                                 break;
                                             }
-                                            let _e2056 = local_10;
-                                            phi_4449_ = _e2054;
-                                            let _e2277 = local_12;
-                                            phi_4002_ = _e2277;
-                                            phi_4003_ = _e634;
-                                            phi_4004_ = false;
-                                            phi_4005_ = select(_e638, 0u, _e2056.member_1);
+                                            let _e2238 = local_10;
+                                            phi_4750_ = _e2236;
+                                            let _e2476 = local_12;
+                                            phi_4275_ = _e2476;
+                                            phi_4276_ = _e636;
+                                            phi_4277_ = false;
+                                            phi_4278_ = select(_e640, 0u, _e2238.member_1);
                                         } else {
-                                            if (_e634.member_1 >= _e100) {
-                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
+                                            if (_e636.member_1 >= _e102) {
+                                                phi_3831_ = type_59(array<vec4<f32>, 3>(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u), type_58(type_34(vec4<f32>(0f, 0f, 0f, 0f), vec4<f32>(0f, 0f, 0f, 0f)), 2147483648u));
                                             } else {
-                                                if (_e634.member_1 < _e100) {
+                                                if (_e636.member_1 < _e102) {
                                                 } else {
-                                                    phi_4445_ = true;
+                                                    phi_4746_ = true;
                                                     break;
                                                 }
-                                                let _e651 = ((1u + _e373) % 4u);
-                                                if (_e651 < 4u) {
+                                                let _e653 = ((1u + _e375) % 4u);
+                                                if (_e653 < 4u) {
                                                 } else {
-                                                    phi_4445_ = true;
+                                                    phi_4746_ = true;
                                                     break;
                                                 }
-                                                let _e656 = global_5.member[_e634.member_1][_e651];
-                                                let _e658 = (_e656 >> bitcast<u32>(11u));
-                                                let _e660 = ((1u + _e372) % 4u);
-                                                if (_e660 < 4u) {
+                                                let _e658 = global_5.member[_e636.member_1][_e653];
+                                                let _e660 = (_e658 >> bitcast<u32>(11u));
+                                                let _e662 = ((1u + _e374) % 4u);
+                                                if (_e662 < 4u) {
                                                 } else {
-                                                    phi_4445_ = true;
+                                                    phi_4746_ = true;
                                                     break;
                                                 }
-                                                let _e665 = global_5.member[_e634.member_1][_e660];
-                                                let _e667 = (_e665 >> bitcast<u32>(11u));
-                                                let _e669 = ((1u + _e374) % 4u);
-                                                if (_e669 < 4u) {
+                                                let _e667 = global_5.member[_e636.member_1][_e662];
+                                                let _e669 = (_e667 >> bitcast<u32>(11u));
+                                                let _e671 = ((1u + _e376) % 4u);
+                                                if (_e671 < 4u) {
                                                 } else {
-                                                    phi_4445_ = true;
+                                                    phi_4746_ = true;
                                                     break;
                                                 }
-                                                let _e674 = global_5.member[_e634.member_1][_e669];
-                                                let _e676 = (_e674 >> bitcast<u32>(11u));
-                                                let _e699 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.x - _e634.member.member.x)) & 2139095040u)) * 0.001953125f);
-                                                let _e700 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.y - _e634.member.member.y)) & 2139095040u)) * 0.001953125f);
-                                                let _e701 = (bitcast<f32>((bitcast<u32>((_e634.member.member_1.z - _e634.member.member.z)) & 2139095040u)) * 0.001953125f);
-                                                let _e703 = select(_e159, _e699, (_e699 > _e159));
-                                                let _e705 = select(_e159, _e700, (_e700 > _e159));
-                                                let _e707 = select(_e159, _e701, (_e701 > _e159));
-                                                let _e732 = bitcast<u32>((f32(bitcast<i32>((_e656 & 1023u))) * _e703));
-                                                let _e737 = (bitcast<i32>((_e656 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e740 = bitcast<f32>((_e732 & bitcast<u32>(_e737)));
-                                                let _e741 = bitcast<u32>((f32(bitcast<i32>((_e665 & 1023u))) * _e705));
-                                                let _e746 = (bitcast<i32>((_e665 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e749 = bitcast<f32>((_e741 & bitcast<u32>(_e746)));
-                                                let _e750 = bitcast<u32>((f32(bitcast<i32>((_e674 & 1023u))) * _e707));
-                                                let _e755 = (bitcast<i32>((_e674 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e758 = bitcast<f32>((_e750 & bitcast<u32>(_e755)));
-                                                let _e762 = bitcast<f32>((_e732 & bitcast<u32>(~(_e737))));
-                                                let _e766 = bitcast<f32>((_e741 & bitcast<u32>(~(_e746))));
-                                                let _e770 = bitcast<f32>((_e750 & bitcast<u32>(~(_e755))));
-                                                let _e771 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e703));
-                                                let _e776 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e779 = bitcast<f32>((_e771 & bitcast<u32>(_e776)));
-                                                let _e780 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e705));
-                                                let _e785 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e788 = bitcast<f32>((_e780 & bitcast<u32>(_e785)));
-                                                let _e789 = bitcast<u32>((f32(bitcast<i32>((_e676 & 1023u))) * _e707));
-                                                let _e794 = (bitcast<i32>((_e676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
-                                                let _e797 = bitcast<f32>((_e789 & bitcast<u32>(_e794)));
-                                                let _e801 = bitcast<f32>((_e771 & bitcast<u32>(~(_e776))));
-                                                let _e805 = bitcast<f32>((_e780 & bitcast<u32>(~(_e785))));
-                                                let _e809 = bitcast<f32>((_e789 & bitcast<u32>(~(_e794))));
-                                                let _e810 = (_e634.member.member.x + _e740);
-                                                let _e811 = (_e634.member.member.y + _e749);
-                                                let _e812 = (_e634.member.member.z + _e758);
-                                                let _e815 = (_e634.member.member_1.x - _e779);
-                                                let _e816 = (_e634.member.member_1.y - _e788);
-                                                let _e817 = (_e634.member.member_1.z - _e797);
-                                                let _e836 = (_e815 - _e810);
-                                                let _e837 = (_e816 - _e811);
+                                                let _e676 = global_5.member[_e636.member_1][_e671];
+                                                let _e678 = (_e676 >> bitcast<u32>(11u));
+                                                let _e701 = (bitcast<f32>((bitcast<u32>((_e636.member.member_1.x - _e636.member.member.x)) & 2139095040u)) * 0.001953125f);
+                                                let _e702 = (bitcast<f32>((bitcast<u32>((_e636.member.member_1.y - _e636.member.member.y)) & 2139095040u)) * 0.001953125f);
+                                                let _e703 = (bitcast<f32>((bitcast<u32>((_e636.member.member_1.z - _e636.member.member.z)) & 2139095040u)) * 0.001953125f);
+                                                let _e705 = select(_e161, _e701, (_e701 > _e161));
+                                                let _e707 = select(_e161, _e702, (_e702 > _e161));
+                                                let _e709 = select(_e161, _e703, (_e703 > _e161));
+                                                let _e734 = bitcast<u32>((f32(bitcast<i32>((_e658 & 1023u))) * _e705));
+                                                let _e739 = (bitcast<i32>((_e658 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e742 = bitcast<f32>((_e734 & bitcast<u32>(_e739)));
+                                                let _e743 = bitcast<u32>((f32(bitcast<i32>((_e667 & 1023u))) * _e707));
+                                                let _e748 = (bitcast<i32>((_e667 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e751 = bitcast<f32>((_e743 & bitcast<u32>(_e748)));
+                                                let _e752 = bitcast<u32>((f32(bitcast<i32>((_e676 & 1023u))) * _e709));
+                                                let _e757 = (bitcast<i32>((_e676 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e760 = bitcast<f32>((_e752 & bitcast<u32>(_e757)));
+                                                let _e764 = bitcast<f32>((_e734 & bitcast<u32>(~(_e739))));
+                                                let _e768 = bitcast<f32>((_e743 & bitcast<u32>(~(_e748))));
+                                                let _e772 = bitcast<f32>((_e752 & bitcast<u32>(~(_e757))));
+                                                let _e773 = bitcast<u32>((f32(bitcast<i32>((_e660 & 1023u))) * _e705));
+                                                let _e778 = (bitcast<i32>((_e660 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e781 = bitcast<f32>((_e773 & bitcast<u32>(_e778)));
+                                                let _e782 = bitcast<u32>((f32(bitcast<i32>((_e669 & 1023u))) * _e707));
+                                                let _e787 = (bitcast<i32>((_e669 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e790 = bitcast<f32>((_e782 & bitcast<u32>(_e787)));
+                                                let _e791 = bitcast<u32>((f32(bitcast<i32>((_e678 & 1023u))) * _e709));
+                                                let _e796 = (bitcast<i32>((_e678 << bitcast<u32>(21u))) >> bitcast<u32>(31i));
+                                                let _e799 = bitcast<f32>((_e791 & bitcast<u32>(_e796)));
+                                                let _e803 = bitcast<f32>((_e773 & bitcast<u32>(~(_e778))));
+                                                let _e807 = bitcast<f32>((_e782 & bitcast<u32>(~(_e787))));
+                                                let _e811 = bitcast<f32>((_e791 & bitcast<u32>(~(_e796))));
+                                                let _e812 = (_e636.member.member.x + _e742);
+                                                let _e813 = (_e636.member.member.y + _e751);
+                                                let _e814 = (_e636.member.member.z + _e760);
+                                                let _e817 = (_e636.member.member_1.x - _e781);
+                                                let _e818 = (_e636.member.member_1.y - _e790);
+                                                let _e819 = (_e636.member.member_1.z - _e799);
                                                 let _e838 = (_e817 - _e812);
-                                                let _e840 = select(_e837, _e836, (_e836 > _e837));
-                                                let _e842 = select(_e838, _e840, (_e840 > _e838));
-                                                if (_e842 < (1024f * _e159)) {
-                                                    phi_3259_ = 0u;
+                                                let _e839 = (_e818 - _e813);
+                                                let _e840 = (_e819 - _e814);
+                                                let _e842 = select(_e839, _e838, (_e838 > _e839));
+                                                let _e844 = select(_e840, _e842, (_e842 > _e840));
+                                                if (_e844 < (1024f * _e161)) {
+                                                    phi_3532_ = 0u;
                                                 } else {
-                                                    phi_3259_ = select(2u, 1u, (_e842 < (2097152f * _e159)));
+                                                    phi_3532_ = select(2u, 1u, (_e844 < (2097152f * _e161)));
                                                 }
-                                                let _e849 = phi_3259_;
-                                                switch bitcast<i32>(_e849) {
+                                                let _e851 = phi_3532_;
+                                                switch bitcast<i32>(_e851) {
                                                     case 0: {
-                                                        phi_3265_ = 1u;
+                                                        phi_3538_ = 1u;
                                                         break;
                                                     }
                                                     case 1: {
-                                                        phi_3265_ = 2u;
+                                                        phi_3538_ = 2u;
                                                         break;
                                                     }
                                                     case 2: {
-                                                        phi_3265_ = 3u;
+                                                        phi_3538_ = 3u;
                                                         break;
                                                     }
                                                     default: {
-                                                        phi_3265_ = u32();
+                                                        phi_3538_ = u32();
                                                         break;
                                                     }
                                                 }
-                                                let _e852 = phi_3265_;
-                                                let _e858 = global_5.member[_e634.member_1][0u];
-                                                let _e862 = global_5.member[_e634.member_1][1u];
-                                                let _e866 = global_5.member[_e634.member_1][2u];
-                                                let _e870 = global_5.member[_e634.member_1][3u];
-                                                let _e882 = (((_e862 >> bitcast<u32>(22i)) | ((_e866 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e870 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
-                                                let _e883 = (_e858 & 268435455u);
-                                                let _e884 = (_e882 & 268435455u);
-                                                let _e887 = ((_e858 >> bitcast<u32>(28u)) & 7u);
-                                                let _e895 = ((_e858 >> bitcast<u32>(31i)) | (((_e882 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
-                                                let _e896 = (_e887 != 0u);
-                                                if (_e887 == 0u) {
-                                                    phi_3520_ = _e883;
+                                                let _e854 = phi_3538_;
+                                                let _e860 = global_5.member[_e636.member_1][0u];
+                                                let _e864 = global_5.member[_e636.member_1][1u];
+                                                let _e868 = global_5.member[_e636.member_1][2u];
+                                                let _e872 = global_5.member[_e636.member_1][3u];
+                                                let _e884 = (((_e864 >> bitcast<u32>(22i)) | ((_e868 >> bitcast<u32>(22i)) << bitcast<u32>(10i))) | ((_e872 >> bitcast<u32>(22i)) << bitcast<u32>(20i)));
+                                                let _e885 = (_e860 & 268435455u);
+                                                let _e886 = (_e884 & 268435455u);
+                                                let _e889 = ((_e860 >> bitcast<u32>(28u)) & 7u);
+                                                let _e897 = ((_e860 >> bitcast<u32>(31i)) | (((_e884 >> bitcast<u32>(28u)) & 3u) << bitcast<u32>(1i)));
+                                                let _e898 = (_e889 != 0u);
+                                                if (_e889 == 0u) {
+                                                    phi_3793_ = _e885;
                                                 } else {
-                                                    if (_e887 == 7u) {
-                                                        phi_3519_ = 2147483648u;
+                                                    if (_e889 == 7u) {
+                                                        phi_3792_ = 2147483648u;
                                                     } else {
-                                                        phi_3519_ = ((2147483648u | (_e887 << bitcast<u32>(28u))) | (_e884 & 268435455u));
+                                                        phi_3792_ = ((2147483648u | (_e889 << bitcast<u32>(28u))) | (_e886 & 268435455u));
                                                     }
-                                                    let _e905 = phi_3519_;
-                                                    phi_3520_ = _e905;
+                                                    let _e907 = phi_3792_;
+                                                    phi_3793_ = _e907;
                                                 }
-                                                let _e907 = phi_3520_;
-                                                if _e896 {
-                                                    let _e908 = (_e887 != 7u);
-                                                    if _e908 {
-                                                        phi_3530_ = (_e884 + (_e887 * ((3u * _e852) + 1u)));
+                                                let _e909 = phi_3793_;
+                                                if _e898 {
+                                                    let _e910 = (_e889 != 7u);
+                                                    if _e910 {
+                                                        phi_3803_ = (_e886 + (_e889 * ((3u * _e854) + 1u)));
                                                     } else {
-                                                        phi_3530_ = u32();
+                                                        phi_3803_ = u32();
                                                     }
-                                                    let _e912 = phi_3530_;
-                                                    phi_3532_ = _e912;
-                                                    phi_3533_ = select(true, false, _e908);
+                                                    let _e914 = phi_3803_;
+                                                    phi_3805_ = _e914;
+                                                    phi_3806_ = select(true, false, _e910);
                                                 } else {
-                                                    phi_3532_ = u32();
-                                                    phi_3533_ = true;
+                                                    phi_3805_ = u32();
+                                                    phi_3806_ = true;
                                                 }
-                                                let _e915 = phi_3532_;
-                                                let _e917 = phi_3533_;
-                                                if (_e895 == 0u) {
-                                                    phi_3554_ = (_e883 + select(0u, 1u, !(_e896)));
+                                                let _e917 = phi_3805_;
+                                                let _e919 = phi_3806_;
+                                                if (_e897 == 0u) {
+                                                    phi_3827_ = (_e885 + select(0u, 1u, !(_e898)));
                                                 } else {
-                                                    if (_e895 == 7u) {
-                                                        phi_3553_ = 2147483648u;
+                                                    if (_e897 == 7u) {
+                                                        phi_3826_ = 2147483648u;
                                                     } else {
-                                                        phi_3553_ = ((2147483648u | (_e895 << bitcast<u32>(28u))) | (select(_e915, _e884, _e917) & 268435455u));
+                                                        phi_3826_ = ((2147483648u | (_e897 << bitcast<u32>(28u))) | (select(_e917, _e886, _e919) & 268435455u));
                                                     }
-                                                    let _e930 = phi_3553_;
-                                                    phi_3554_ = _e930;
+                                                    let _e932 = phi_3826_;
+                                                    phi_3827_ = _e932;
                                                 }
-                                                let _e932 = phi_3554_;
-                                                phi_3558_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e810, (_e634.member.member.x + _e762), _e815, (_e634.member.member_1.x - _e801)), vec4<f32>(_e811, (_e634.member.member.y + _e766), _e816, (_e634.member.member_1.y - _e805)), vec4<f32>(_e812, (_e634.member.member.z + _e770), _e817, (_e634.member.member_1.z - _e809))), type_58(type_34((_e634.member.member + vec4<f32>(_e740, _e749, _e758, 0f)), (_e634.member.member_1 - vec4<f32>(_e779, _e788, _e797, 0f))), _e907), type_58(type_34((_e634.member.member + vec4<f32>(_e762, _e766, _e770, 0f)), (_e634.member.member_1 - vec4<f32>(_e801, _e805, _e809, 0f))), _e932));
+                                                let _e934 = phi_3827_;
+                                                phi_3831_ = type_59(array<vec4<f32>, 3>(vec4<f32>(_e812, (_e636.member.member.x + _e764), _e817, (_e636.member.member_1.x - _e803)), vec4<f32>(_e813, (_e636.member.member.y + _e768), _e818, (_e636.member.member_1.y - _e807)), vec4<f32>(_e814, (_e636.member.member.z + _e772), _e819, (_e636.member.member_1.z - _e811))), type_58(type_34((_e636.member.member + vec4<f32>(_e742, _e751, _e760, 0f)), (_e636.member.member_1 - vec4<f32>(_e781, _e790, _e799, 0f))), _e909), type_58(type_34((_e636.member.member + vec4<f32>(_e764, _e768, _e772, 0f)), (_e636.member.member_1 - vec4<f32>(_e803, _e807, _e811, 0f))), _e934));
                                             }
-                                            let _e937 = phi_3558_;
-                                            let _e949 = ((_e937.member[0].x - _e428) * _e433);
-                                            let _e950 = ((_e937.member[0].y - _e428) * _e433);
-                                            let _e951 = ((_e937.member[0].z - _e429) * _e433);
-                                            let _e952 = ((_e937.member[0].w - _e429) * _e433);
-                                            let _e962 = ((_e937.member[1].x - _e464) * _e469);
-                                            let _e963 = ((_e937.member[1].y - _e464) * _e469);
-                                            let _e964 = ((_e937.member[1].z - _e465) * _e469);
-                                            let _e965 = ((_e937.member[1].w - _e465) * _e469);
-                                            let _e975 = ((_e937.member[2].x - _e500) * _e505);
-                                            let _e976 = ((_e937.member[2].y - _e500) * _e505);
-                                            let _e977 = ((_e937.member[2].z - _e501) * _e505);
-                                            let _e978 = ((_e937.member[2].w - _e501) * _e505);
-                                            let _e980 = select(_e977, _e975, (_e975 < _e977));
-                                            let _e982 = select(_e978, _e976, (_e976 < _e978));
-                                            let _e984 = select(_e977, _e975, (_e975 > _e977));
-                                            let _e986 = select(_e978, _e976, (_e976 > _e978));
-                                            let _e988 = select(_e951, _e949, (_e949 < _e951));
-                                            let _e990 = select(_e952, _e950, (_e950 < _e952));
-                                            let _e992 = select(_e964, _e962, (_e962 < _e964));
-                                            let _e994 = select(_e965, _e963, (_e963 < _e965));
-                                            let _e996 = select(_e992, _e988, (_e988 > _e992));
+                                            let _e939 = phi_3831_;
+                                            let _e951 = ((_e939.member[0].x - _e430) * _e435);
+                                            let _e952 = ((_e939.member[0].y - _e430) * _e435);
+                                            let _e953 = ((_e939.member[0].z - _e431) * _e435);
+                                            let _e954 = ((_e939.member[0].w - _e431) * _e435);
+                                            let _e964 = ((_e939.member[1].x - _e466) * _e471);
+                                            let _e965 = ((_e939.member[1].y - _e466) * _e471);
+                                            let _e966 = ((_e939.member[1].z - _e467) * _e471);
+                                            let _e967 = ((_e939.member[1].w - _e467) * _e471);
+                                            let _e977 = ((_e939.member[2].x - _e502) * _e507);
+                                            let _e978 = ((_e939.member[2].y - _e502) * _e507);
+                                            let _e979 = ((_e939.member[2].z - _e503) * _e507);
+                                            let _e980 = ((_e939.member[2].w - _e503) * _e507);
+                                            let _e982 = select(_e979, _e977, (_e977 < _e979));
+                                            let _e984 = select(_e980, _e978, (_e978 < _e980));
+                                            let _e986 = select(_e979, _e977, (_e977 > _e979));
+                                            let _e988 = select(_e980, _e978, (_e978 > _e980));
+                                            let _e990 = select(_e953, _e951, (_e951 < _e953));
+                                            let _e992 = select(_e954, _e952, (_e952 < _e954));
+                                            let _e994 = select(_e966, _e964, (_e964 < _e966));
+                                            let _e996 = select(_e967, _e965, (_e965 < _e967));
                                             let _e998 = select(_e994, _e990, (_e990 > _e994));
-                                            let _e1000 = select(_e980, _e996, (_e996 > _e980));
+                                            let _e1000 = select(_e996, _e992, (_e992 > _e996));
                                             let _e1002 = select(_e982, _e998, (_e998 > _e982));
-                                            let _e1004 = select(_e951, _e949, (_e949 > _e951));
-                                            let _e1006 = select(_e952, _e950, (_e950 > _e952));
-                                            let _e1008 = select(_e964, _e962, (_e962 > _e964));
-                                            let _e1010 = select(_e965, _e963, (_e963 > _e965));
-                                            let _e1012 = select(_e1008, _e1004, (_e1004 < _e1008));
+                                            let _e1004 = select(_e984, _e1000, (_e1000 > _e984));
+                                            let _e1006 = select(_e953, _e951, (_e951 > _e953));
+                                            let _e1008 = select(_e954, _e952, (_e952 > _e954));
+                                            let _e1010 = select(_e966, _e964, (_e964 > _e966));
+                                            let _e1012 = select(_e967, _e965, (_e965 > _e967));
                                             let _e1014 = select(_e1010, _e1006, (_e1006 < _e1010));
-                                            let _e1019 = -(_e980);
-                                            let _e1020 = -(_e982);
-                                            let _e1027 = (select(_e984, _e1012, (_e1012 < _e984)) + (select(_e1019, _e984, (_e984 > _e1019)) * 0.0000019073523f));
-                                            let _e1028 = (select(_e986, _e1014, (_e1014 < _e986)) + (select(_e1020, _e986, (_e986 > _e1020)) * 0.0000019073523f));
-                                            let _e1030 = select(_e551, _e1000, (_e1000 > _e551));
-                                            let _e1032 = select(_e551, _e1002, (_e1002 > _e551));
-                                            let _e1037 = (_e1030 <= select(_e595.member, _e1027, (_e1027 < _e595.member)));
-                                            let _e1038 = (_e1032 <= select(_e595.member, _e1028, (_e1028 < _e595.member)));
-                                            let _e1039 = (_e1030 <= _e1032);
-                                            if _e1037 {
-                                                if _e1038 {
-                                                    if _e1039 {
-                                                        phi_3902_ = _e937.member_2;
+                                            let _e1016 = select(_e1012, _e1008, (_e1008 < _e1012));
+                                            let _e1021 = -(_e982);
+                                            let _e1022 = -(_e984);
+                                            let _e1029 = (select(_e986, _e1014, (_e1014 < _e986)) + (select(_e1021, _e986, (_e986 > _e1021)) * 0.0000019073523f));
+                                            let _e1030 = (select(_e988, _e1016, (_e1016 < _e988)) + (select(_e1022, _e988, (_e988 > _e1022)) * 0.0000019073523f));
+                                            let _e1032 = select(_e553, _e1002, (_e1002 > _e553));
+                                            let _e1034 = select(_e553, _e1004, (_e1004 > _e553));
+                                            let _e1039 = (_e1032 <= select(_e597.member, _e1029, (_e1029 < _e597.member)));
+                                            let _e1040 = (_e1034 <= select(_e597.member, _e1030, (_e1030 < _e597.member)));
+                                            let _e1041 = (_e1032 <= _e1034);
+                                            if _e1039 {
+                                                if _e1040 {
+                                                    if _e1041 {
+                                                        phi_4175_ = _e939.member_2;
                                                     } else {
-                                                        phi_3902_ = _e937.member_1;
+                                                        phi_4175_ = _e939.member_1;
                                                     }
-                                                    let _e1043 = phi_3902_;
-                                                    let _e1065 = (_e638 % 128u);
-                                                    let _e1066 = (_e1065 < 128u);
-                                                    if _e1066 {
+                                                    let _e1045 = phi_4175_;
+                                                    let _e1067 = (_e640 % 128u);
+                                                    let _e1068 = (_e1067 < 128u);
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_8[_e1065] = _e1043.member_1;
-                                                    if _e1066 {
+                                                    local_8[_e1067] = _e1045.member_1;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_7[_e1065] = _e1043.member.member.x;
-                                                    if _e1066 {
+                                                    local_7[_e1067] = _e1045.member.member.x;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_6[_e1065] = _e1043.member.member.y;
-                                                    if _e1066 {
+                                                    local_6[_e1067] = _e1045.member.member.y;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_5[_e1065] = _e1043.member.member.z;
-                                                    if _e1066 {
+                                                    local_5[_e1067] = _e1045.member.member.z;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_4[_e1065] = _e1043.member.member_1.x;
-                                                    if _e1066 {
+                                                    local_4[_e1067] = _e1045.member.member_1.x;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_3[_e1065] = _e1043.member.member_1.y;
-                                                    if _e1066 {
+                                                    local_3[_e1067] = _e1045.member.member_1.y;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_2[_e1065] = _e1043.member.member_1.z;
-                                                    if _e1066 {
+                                                    local_2[_e1067] = _e1045.member.member_1.z;
+                                                    if _e1068 {
                                                     } else {
-                                                        phi_4445_ = true;
+                                                        phi_4746_ = true;
                                                         break;
                                                     }
-                                                    local_9[_e1065] = select(_e1032, _e1030, (_e1030 > _e1032));
-                                                    if _e1039 {
-                                                        phi_3979_ = _e937.member_1;
+                                                    local_9[_e1067] = select(_e1034, _e1032, (_e1032 > _e1034));
+                                                    if _e1041 {
+                                                        phi_4252_ = _e939.member_1;
                                                     } else {
-                                                        phi_3979_ = _e937.member_2;
+                                                        phi_4252_ = _e939.member_2;
                                                     }
-                                                    let _e1079 = phi_3979_;
-                                                    phi_3980_ = _e1079;
-                                                    phi_3981_ = (_e638 + 1u);
+                                                    let _e1081 = phi_4252_;
+                                                    phi_4253_ = _e1081;
+                                                    phi_4254_ = (_e640 + 1u);
                                                 } else {
-                                                    phi_3980_ = type_58();
-                                                    phi_3981_ = u32();
+                                                    phi_4253_ = type_58();
+                                                    phi_4254_ = u32();
                                                 }
-                                                let _e1081 = phi_3980_;
-                                                let _e1083 = phi_3981_;
-                                                phi_3983_ = _e1081;
-                                                phi_3984_ = _e1083;
-                                                phi_3985_ = select(true, false, _e1038);
+                                                let _e1083 = phi_4253_;
+                                                let _e1085 = phi_4254_;
+                                                phi_4256_ = _e1083;
+                                                phi_4257_ = _e1085;
+                                                phi_4258_ = select(true, false, _e1040);
                                             } else {
-                                                phi_3983_ = type_58();
-                                                phi_3984_ = u32();
-                                                phi_3985_ = true;
+                                                phi_4256_ = type_58();
+                                                phi_4257_ = u32();
+                                                phi_4258_ = true;
                                             }
-                                            let _e1086 = phi_3983_;
-                                            let _e1088 = phi_3984_;
-                                            let _e1090 = phi_3985_;
-                                            if _e1090 {
-                                                if _e1037 {
-                                                    phi_3994_ = _e937.member_1;
+                                            let _e1088 = phi_4256_;
+                                            let _e1090 = phi_4257_;
+                                            let _e1092 = phi_4258_;
+                                            if _e1092 {
+                                                if _e1039 {
+                                                    phi_4267_ = _e939.member_1;
                                                 } else {
-                                                    phi_3994_ = _e937.member_2;
+                                                    phi_4267_ = _e939.member_2;
                                                 }
-                                                let _e1094 = phi_3994_;
-                                                phi_3999_ = _e1094;
-                                                phi_4000_ = select(_e1038, true, _e1037);
+                                                let _e1096 = phi_4267_;
+                                                phi_4272_ = _e1096;
+                                                phi_4273_ = select(_e1040, true, _e1039);
                                             } else {
-                                                phi_3999_ = _e1086;
-                                                phi_4000_ = _e636;
+                                                phi_4272_ = _e1088;
+                                                phi_4273_ = _e638;
                                             }
-                                            let _e1097 = phi_3999_;
-                                            let _e1099 = phi_4000_;
-                                            phi_4449_ = _e593;
-                                            phi_4002_ = _e595;
-                                            phi_4003_ = _e1097;
-                                            phi_4004_ = _e1099;
-                                            phi_4005_ = select(_e1088, _e638, _e1090);
+                                            let _e1099 = phi_4272_;
+                                            let _e1101 = phi_4273_;
+                                            phi_4750_ = _e595;
+                                            phi_4275_ = _e597;
+                                            phi_4276_ = _e1099;
+                                            phi_4277_ = _e1101;
+                                            phi_4278_ = select(_e1090, _e640, _e1092);
                                         }
-                                        let _e2060 = phi_4449_;
-                                        let _e2062 = phi_4002_;
-                                        let _e2064 = phi_4003_;
-                                        let _e2066 = phi_4004_;
-                                        let _e2068 = phi_4005_;
-                                        phi_4448_ = _e2060;
-                                        phi_4006_ = _e2062;
-                                        phi_4007_ = _e2064;
-                                        phi_4008_ = (_e599 - 1u);
-                                        phi_4009_ = _e2066;
-                                        phi_4010_ = _e2068;
+                                        let _e2242 = phi_4750_;
+                                        let _e2244 = phi_4275_;
+                                        let _e2246 = phi_4276_;
+                                        let _e2248 = phi_4277_;
+                                        let _e2250 = phi_4278_;
+                                        phi_4749_ = _e2242;
+                                        phi_4279_ = _e2244;
+                                        phi_4280_ = _e2246;
+                                        phi_4281_ = (_e601 - 1u);
+                                        phi_4282_ = _e2248;
+                                        phi_4283_ = _e2250;
                                     } else {
-                                        phi_4448_ = _e593;
-                                        phi_4006_ = _e595;
-                                        phi_4007_ = _e634;
-                                        phi_4008_ = _e599;
-                                        phi_4009_ = _e636;
-                                        phi_4010_ = _e638;
+                                        phi_4749_ = _e595;
+                                        phi_4279_ = _e597;
+                                        phi_4280_ = _e636;
+                                        phi_4281_ = _e601;
+                                        phi_4282_ = _e638;
+                                        phi_4283_ = _e640;
                                     }
-                                    let _e2070 = phi_4448_;
-                                    let _e2072 = phi_4006_;
-                                    let _e2074 = phi_4007_;
-                                    let _e2076 = phi_4008_;
-                                    let _e2078 = phi_4009_;
-                                    let _e2080 = phi_4010_;
-                                    phi_4447_ = _e2070;
-                                    phi_4011_ = _e2072;
-                                    phi_4012_ = _e2074;
-                                    phi_4013_ = _e2076;
-                                    phi_4014_ = _e2078;
-                                    phi_4015_ = _e2080;
+                                    let _e2252 = phi_4749_;
+                                    let _e2254 = phi_4279_;
+                                    let _e2256 = phi_4280_;
+                                    let _e2258 = phi_4281_;
+                                    let _e2260 = phi_4282_;
+                                    let _e2262 = phi_4283_;
+                                    phi_4748_ = _e2252;
+                                    phi_4284_ = _e2254;
+                                    phi_4285_ = _e2256;
+                                    phi_4286_ = _e2258;
+                                    phi_4287_ = _e2260;
+                                    phi_4288_ = _e2262;
                                 } else {
-                                    phi_4447_ = _e593;
-                                    phi_4011_ = type_46();
-                                    phi_4012_ = type_58();
-                                    phi_4013_ = u32();
-                                    phi_4014_ = bool();
-                                    phi_4015_ = u32();
+                                    phi_4748_ = _e595;
+                                    phi_4284_ = type_46();
+                                    phi_4285_ = type_58();
+                                    phi_4286_ = u32();
+                                    phi_4287_ = bool();
+                                    phi_4288_ = u32();
                                 }
-                                let _e2082 = phi_4447_;
-                                let _e2084 = phi_4011_;
-                                let _e2086 = phi_4012_;
-                                let _e2088 = phi_4013_;
-                                let _e2090 = phi_4014_;
-                                let _e2092 = phi_4015_;
-                                phi_4446_ = _e2082;
-                                phi_1005_ = _e2084;
-                                phi_1008_ = _e2086;
-                                phi_1010_ = _e2088;
-                                phi_1012_ = _e2090;
-                                phi_1014_ = _e2092;
-                                phi_4016_ = _e607;
+                                let _e2264 = phi_4748_;
+                                let _e2266 = phi_4284_;
+                                let _e2268 = phi_4285_;
+                                let _e2270 = phi_4286_;
+                                let _e2272 = phi_4287_;
+                                let _e2274 = phi_4288_;
+                                phi_4747_ = _e2264;
+                                phi_1011_ = _e2266;
+                                phi_1014_ = _e2268;
+                                phi_1016_ = _e2270;
+                                phi_1018_ = _e2272;
+                                phi_1020_ = _e2274;
+                                phi_4289_ = _e609;
                             } else {
-                                phi_4446_ = _e593;
-                                phi_1005_ = type_46();
-                                phi_1008_ = type_58();
-                                phi_1010_ = u32();
-                                phi_1012_ = bool();
-                                phi_1014_ = u32();
-                                phi_4016_ = false;
+                                phi_4747_ = _e595;
+                                phi_1011_ = type_46();
+                                phi_1014_ = type_58();
+                                phi_1016_ = u32();
+                                phi_1018_ = bool();
+                                phi_1020_ = u32();
+                                phi_4289_ = false;
                             }
-                            let _e2094 = phi_4446_;
-                            let _e2096 = phi_1005_;
-                            let _e2098 = phi_1008_;
-                            let _e2100 = phi_1010_;
-                            let _e2102 = phi_1012_;
-                            let _e2104 = phi_1014_;
-                            let _e2106 = phi_4016_;
+                            let _e2276 = phi_4747_;
+                            let _e2278 = phi_1011_;
+                            let _e2280 = phi_1014_;
+                            let _e2282 = phi_1016_;
+                            let _e2284 = phi_1018_;
+                            let _e2286 = phi_1020_;
+                            let _e2288 = phi_4289_;
                             continue;
                             continuing {
-                                phi_4266_ = _e2094;
-                                phi_1004_ = _e2096;
-                                phi_1007_ = _e2098;
-                                phi_1009_ = _e2100;
-                                phi_1011_ = _e2102;
-                                phi_1013_ = _e2104;
-                                phi_4445_ = _e2094;
-                                break if !(_e2106);
+                                phi_4539_ = _e2276;
+                                phi_1010_ = _e2278;
+                                phi_1013_ = _e2280;
+                                phi_1015_ = _e2282;
+                                phi_1017_ = _e2284;
+                                phi_1019_ = _e2286;
+                                phi_4746_ = _e2276;
+                                break if !(_e2288);
                             }
                         }
-                        let _e2109 = phi_4445_;
-                        if _e2109 {
+                        let _e2291 = phi_4746_;
+                        if _e2291 {
                             break;
                         }
-                        let _e2111 = local_11;
-                        if _e2111.member_1 {
+                        let _e2293 = local_11;
+                        if _e2293.member_1 {
                         } else {
-                            if _e241 {
+                            if _e243 {
                             } else {
                                 break;
                             }
-                            let _e2115 = global_2.member[_e147];
-                            if _e162 {
+                            let _e2297 = global_2.member[_e149];
+                            if _e164 {
                             } else {
                                 break;
                             }
-                            let _e2119 = global_9.member[_e147].member_1;
-                            if _e241 {
+                            let _e2301 = global_9.member[_e149].member_1;
+                            if _e243 {
                             } else {
                                 break;
                             }
-                            global_2.member[_e147] = type_27(_e2115.member, _e2115.member_1, _e2115.member_2, array<f32, 3>((_e2115.member_3[0] + (_e2119[0] * _e2115.member_1[0])), (_e2115.member_3[1] + (_e2119[1] * _e2115.member_1[1])), (_e2115.member_3[2] + (_e2119[2] * _e2115.member_1[2]))), _e2115.member_4);
+                            global_2.member[_e149] = type_27(_e2297.member, _e2297.member_1, _e2297.member_2, array<f32, 3>((_e2297.member_3[0] + (_e2301[0] * _e2297.member_1[0])), (_e2297.member_3[1] + (_e2301[1] * _e2297.member_1[1])), (_e2297.member_3[2] + (_e2301[2] * _e2297.member_1[2]))), _e2297.member_4);
                         }
                     }
                 }

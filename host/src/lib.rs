@@ -14,10 +14,14 @@ pub mod generate;
 #[cfg(feature = "gpu")]
 pub mod gpu;
 mod mesh;
+#[cfg(feature = "stress")]
+pub mod oracle;
 mod picture;
 pub mod reduce;
 pub mod scene;
 mod stages;
+#[cfg(feature = "stress")]
+pub mod stress;
 mod text;
 mod tolerance;
 pub mod topology;

@@ -1,4 +1,4 @@
-//! The `slimbvh` binary. Exit codes: 0 done, 2 usage or input; 1 is kept for commands that check something.
+//! The `slimbvh` binary. Exit codes: 0 done, 1 a check failed, 2 usage or input.
 
 mod cli;
 
@@ -8,7 +8,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let arguments = cli::Arguments::parse();
     match cli::run(arguments) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(code) => code,
         Err(error) if is_broken_pipe(&error) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("error: {}", printable(&format!("{error:#}")));

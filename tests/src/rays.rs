@@ -1,12 +1,10 @@
 //! Rays of every awkward kind: a [`RayRecipe`] comes from proptest and knows no mesh; [`RayRecipe::cook`] makes a ray of it
 //! that starts at, aims at or lies in some triangle of a mesh.
 
-mod recipe;
-
 use proptest::array::uniform3;
 use proptest::prelude::*;
 
-pub use recipe::{Aim, Face, Range, RayRecipe, Start};
+pub use slimbvh::stress::{Aim, Face, Range, RayRecipe, Start};
 
 /// Any ray that is one.
 pub fn any_ray() -> impl Strategy<Value = RayRecipe> {
@@ -66,6 +64,9 @@ fn aim() -> impl Strategy<Value = Aim> {
         6 => face().prop_map(Aim::At),
         1 => (any::<u32>(), -4f32..4.0).prop_map(|(triangle, angle)| Aim::InPlane(triangle, angle)),
         1 => (any::<u32>(), 0usize..3).prop_map(|(triangle, edge)| Aim::AlongEdge(triangle, edge)),
+        1 => (any::<u32>(), 0usize..3, uniform3(-0.5f32..0.5)).prop_map(|(triangle, edge, offset)| {
+            Aim::BesideEdge(triangle, edge, offset)
+        }),
     ]
 }
 

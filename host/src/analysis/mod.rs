@@ -21,6 +21,8 @@ use slimbvh_core::Aabb;
 pub(crate) use buckets::Buckets;
 pub(crate) use collinear::are_collinear;
 pub(crate) use edges::{Edges, Side, excess};
+#[cfg(feature = "stress")]
+pub(crate) use expansion::{two_product, two_sum};
 pub(crate) use labels::{Labels, NONE};
 pub(crate) use predicates::{area_sign, volume_sign};
 pub(crate) use union_find::UnionFind;

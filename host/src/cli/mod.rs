@@ -13,12 +13,14 @@ mod reduce;
 mod render;
 mod reproduce;
 mod storage;
+mod stress;
 
 use anyhow::{Context, Result};
 use clap::{Args, Parser, Subcommand};
 use slimbvh::scene::{LoadOptions, load};
 use slimbvh::{Aabb, Bvh, Scene};
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 /// Build only the hierarchy that a view needs, store it small, trace it without a missed hit.
 #[derive(Debug, Parser)]
@@ -45,6 +47,8 @@ enum Command {
     Info(info::InfoArguments),
     /// Measure what a paper's tables show, and print ours beside the printed figures
     Reproduce(reproduce::ReproduceArguments),
+    /// Trace scenes and rays that break tracers, and judge every answer by exact ones
+    Stress(stress::StressArguments),
 }
 
 /// Where the scene comes from.
@@ -132,12 +136,14 @@ impl ThreadArguments {
 }
 
 /// Runs the command.
-pub fn run(arguments: Arguments) -> Result<()> {
+pub fn run(arguments: Arguments) -> Result<ExitCode> {
     match arguments.command {
-        Command::Render(arguments) => render::run(&arguments),
-        Command::Animate(arguments) => animate::run(&arguments),
-        Command::Build(arguments) => build::run(&arguments),
-        Command::Info(arguments) => info::run(&arguments),
-        Command::Reproduce(arguments) => reproduce::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments)?,
+        Command::Animate(arguments) => animate::run(&arguments)?,
+        Command::Build(arguments) => build::run(&arguments)?,
+        Command::Info(arguments) => info::run(&arguments)?,
+        Command::Reproduce(arguments) => reproduce::run(&arguments)?,
+        Command::Stress(arguments) => return stress::run(&arguments),
     }
+    Ok(ExitCode::SUCCESS)
 }

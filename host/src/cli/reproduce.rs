@@ -29,7 +29,9 @@ use report::Report;
 use scenes::Subject;
 use serde::Serialize;
 use sheet::Sheet;
+pub use sheet::processor;
 use std::path::{Path, PathBuf};
+pub use table::{Table, wrap};
 
 /// The environment variable that names the folder of scene files.
 const SCENES_VARIABLE: &str = "SLIMBVH_SCENES";

@@ -12,7 +12,7 @@ mod ground;
 mod huge_and_tiny;
 mod icosphere;
 mod midpoints;
-mod random;
+pub(crate) mod random;
 mod rings;
 mod round_cone;
 mod rounded_box;

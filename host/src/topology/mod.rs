@@ -28,6 +28,8 @@ use shape::{Shape, Span};
 
 pub(crate) use runs::Runs;
 pub use sides::Target;
+#[cfg(feature = "stress")]
+pub(crate) use solid_angle::SolidAngle;
 
 /// What a mesh's indices and positions say about its surfaces. Made once; [`Self::update`] follows moving vertices.
 #[derive(Clone, Debug)]

@@ -18,5 +18,6 @@ mod rejecting;
 mod repeatable;
 mod saved;
 mod trees;
+mod unculled;
 mod watertight;
 mod written_once;

@@ -7,7 +7,6 @@ mod frames;
 mod machine;
 mod measure;
 mod methods;
-mod moves;
 mod paths;
 mod printed;
 mod protocol;

@@ -5,6 +5,7 @@ mod places;
 mod reproduce;
 mod saved;
 mod scenes;
+mod stress;
 
 use crate::files::TwoTriangles;
 use crate::process::Folder;

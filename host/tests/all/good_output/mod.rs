@@ -6,6 +6,7 @@ mod outputs;
 mod reproduce;
 mod saved;
 mod scenes;
+mod stress;
 mod views;
 
 use serde_json::Value;

@@ -4,6 +4,7 @@ use super::close_ups::Sight;
 use super::difference::{Difference, Verdict, error_bound, judge};
 use super::surroundings::Surroundings;
 use super::wave::{Cast, RayKind, cast};
+use slimbvh::oracle::Unculled;
 use slimbvh::reduce::{
     AimKind, Asked, Cull, Hierarchies, Plan, Reduce, Saving, Savings, Seams, Switches, survey,
 };
@@ -13,7 +14,6 @@ use slimbvh_core::float::PowerOfTwo;
 use slimbvh_core::orientation::Target;
 use slimbvh_core::snap::leaf_triangle;
 use slimbvh_tests::gpu::done;
-use slimbvh_tests::oracle::unculled::Unculled;
 
 /// Which triangles the tracer passes over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,6 @@ use super::cracks::{Cracks, aim};
 use super::frames::Round;
 use super::machine::{Cpu, Machine};
 use super::methods::{Method, Prepared};
-use super::moves::moved;
 use super::printed::Printed;
 use super::protocol::Protocol;
 use super::scenes::Subject;
@@ -14,6 +13,7 @@ use crate::cli::backend::Chosen;
 use crate::cli::reproduce::rounds::Rounds;
 use anyhow::Result;
 use serde::Serialize;
+use slimbvh::stress::moved;
 use slimbvh::{MeshCodec, Picture, RenderSettings};
 
 /// What was measured of one scene.

@@ -10,6 +10,9 @@ use std::cmp::Ordering;
 /// Triangles whose box is tested together.
 const RUN: usize = 32;
 
+/// Where doubles cannot tell t to this share of it, it is computed exactly.
+const T_SHARE: f64 = 1e-10;
+
 /// A number, and how far it may be from the exact one.
 #[derive(Clone, Copy, Debug)]
 struct Estimate {
@@ -22,7 +25,7 @@ struct Estimate {
 pub struct Crossing {
     /// The caller's index.
     pub primitive: u32,
-    /// In units of the direction, rounded.
+    /// In units of the direction, off by no more than 10^-10 of it.
     pub t: f64,
     /// The exact t is no farther away than this.
     t_error: f64,
@@ -64,14 +67,21 @@ impl Unculled {
         self.triangles[primitive as usize]
     }
 
+    /// All triangles.
+    #[must_use]
+    pub fn triangles(&self) -> &[[[f32; 3]; 3]] {
+        &self.triangles
+    }
+
     /// How many there are.
     #[must_use]
     pub fn count(&self) -> usize {
         self.triangles.len()
     }
 
-    /// All triangles but one that a ray meets, in the order of (t, index). Edges and corners belong to a triangle; one
-    /// that is seen from its own plane is never met. `t_max` must be 1, or so large that it is no limit.
+    /// All triangles but one that a ray meets in its range, in the order of (t, index). Edges and corners belong to a
+    /// triangle, both ends to the range; a triangle that is seen from its own plane is never met. The ray must be finite;
+    /// a `t_max` of `f32::MAX` or infinity is no limit.
     #[must_use]
     pub fn crossings(&self, ray: &Ray, skip: u32) -> Vec<Crossing> {
         let mut crossings = Vec::new();
@@ -89,6 +99,19 @@ impl Unculled {
         }
         crossings.sort_by(Crossing::compare);
         crossings
+    }
+
+    /// Whether a ray meets a triangle's front (1) or back (−1), wherever it passes; 0 where it runs in its plane.
+    #[must_use]
+    pub fn facing(&self, ray: &Ray, primitive: u32) -> i32 {
+        let [x, y, z] = exact_volumes(ray, &self.triangle(primitive));
+        -x.plus(&y).plus(&z).sign()
+    }
+
+    /// Whether a ray meets anything in its range, as [`Self::crossings`] says: the answer to a shadow ray.
+    #[must_use]
+    pub fn is_met(&self, ray: &Ray) -> bool {
+        !self.crossings(ray, u32::MAX).is_empty()
     }
 }
 
@@ -137,22 +160,20 @@ fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing>
         corners: *corners,
     };
 
-    // The sum is n · d, and t = n · a / n · d.
-    let over = volume(a, b, c);
+    // t = n · a / n · d, with the normal from the sides: as exact as the triangle is, however far the ray comes from.
+    let [e, f] = [1, 2]
+        .map(|i| [0, 1, 2].map(|axis| f64::from(corners[i][axis]) - f64::from(corners[0][axis])));
+    let (over, under) = (volume(a, e, f), volume(direction, e, f));
     let is_certain = |volume: &Estimate| volume.value.abs() > volume.error;
-    if volumes.iter().all(is_certain) && is_certain(&over) {
-        let under: f64 = volumes.iter().map(|volume| volume.value).sum();
-        let under_error: f64 = volumes.iter().map(|volume| volume.error).sum();
-        let under_error = under_error + 4.0 * f64::EPSILON * under.abs();
-        let t = over.value / under;
-        let t_error = (over.error + t.abs() * under_error) / (under.abs() - under_error)
+    if volumes.iter().all(is_certain) && under.error < 0.5 * under.value.abs() {
+        let t = over.value / under.value;
+        let t_error = (over.error + t.abs() * under.error) / (under.value.abs() - under.error)
             + 4.0 * f64::EPSILON * t.abs();
-        if under_error < 0.5 * under.abs() {
-            if t < 0.0 || t > limit(ray) + t_error {
-                return None;
-            } else if t < limit(ray) - t_error {
-                return Some(hit(t, t_error));
-            }
+        let [low, high] = limits(ray);
+        if t < low - t_error || t > high + t_error {
+            return None;
+        } else if t > low + t_error && t < high - t_error && t_error <= T_SHARE * t.abs() {
+            return Some(hit(t, t_error));
         }
     }
 
@@ -162,21 +183,27 @@ fn cross(ray: &Ray, corners: &[[f32; 3]; 3], primitive: u32) -> Option<Crossing>
         return None;
     }
     let [over, under] = exact_t(ray, corners);
-    let is_beyond = ray.t_max == 1.0 && over.compare(&under) == Ordering::Greater;
-    if over.sign() < 0 || is_beyond {
+    let [low, high] = limits(ray);
+    let is_within = |limit: f64, side: Ordering| {
+        let at_limit = under.times(&ExactSum::difference(limit, 0.0));
+        limit.is_infinite() || over.compare(&at_limit) != side
+    };
+    if !is_within(low, Ordering::Less) || !is_within(high, Ordering::Greater) {
         return None;
     }
     let t = over.value() / under.value();
-    Some(hit(t, 1e-12 * t))
+    Some(hit(t, 4.0 * f64::EPSILON * t.abs()))
 }
 
-/// The largest t that counts.
-fn limit(ray: &Ray) -> f64 {
-    assert!(
-        ray.t_max >= 1.0 && ray.t_min == 0.0,
-        "the whole ray, or up to 1"
-    );
-    if ray.t_max == 1.0 { 1.0 } else { f64::INFINITY }
+/// The least and the largest t that count.
+fn limits(ray: &Ray) -> [f64; 2] {
+    let is_limit = ray.t_max < f32::MAX;
+    let high = if is_limit {
+        ray.t_max.into()
+    } else {
+        f64::INFINITY
+    };
+    [ray.t_min.into(), high]
 }
 
 /// `u · (v × w)`. At most ten roundings in a row, differences included.
@@ -236,7 +263,9 @@ fn exact_t(ray: &Ray, corners: &[[f32; 3]; 3]) -> [ExactSum; 2] {
 /// False only where the ray certainly misses the box. A few roundings of a double are covered a thousand times over.
 fn may_meet(ray: &Ray, [low, high]: &[[f64; 3]; 2]) -> bool {
     const SLACK: f64 = 1e-12;
-    let (mut enter, mut exit) = (0.0_f64, limit(ray) * (1.0 + SLACK));
+    let [mut enter, mut exit] = limits(ray);
+    enter -= SLACK * enter.abs();
+    exit += SLACK * exit.abs();
     for axis in 0..3 {
         let (origin, direction) = (f64::from(ray.origin[axis]), f64::from(ray.direction[axis]));
         if direction == 0.0 {
@@ -257,53 +286,4 @@ fn may_meet(ray: &Ray, [low, high]: &[[f64; 3]; 2]) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::oracle::exact::{GridRay, GridTriangle, intersect};
-    use proptest::prelude::*;
-
-    fn triangle() -> impl Strategy<Value = GridTriangle> {
-        proptest::array::uniform3(proptest::array::uniform3(-3i32..=3))
-    }
-
-    proptest! {
-        /// On a small grid most rays pass edges, corners and planes.
-        #[test]
-        fn agrees_with_whole_numbers(triangles in proptest::collection::vec(triangle(), 1..80), origin in proptest::array::uniform3(-3i32..=3), direction in proptest::array::uniform3(-2i32..=2), shift in 0i32..30, to_one in any::<bool>()) {
-            prop_assume!(direction != [0; 3]);
-            // Far from the origin of coordinates differences take more bits than a double has.
-            let far = 2f32.powi(shift - 30);
-            let float = |p: [i32; 3]| p.map(|x| x as f32 * far);
-            let oracle = Unculled::new(triangles.iter().map(|triangle| triangle.map(float)).collect());
-            let mut ray = Ray::new(float(origin), float(direction));
-            if to_one {
-                ray.t_max = 1.0;
-            }
-            let grid_ray = GridRay { origin, direction };
-            let hits = triangles.iter().zip(0..).filter_map(|(triangle, i)| Some((intersect(&grid_ray, triangle)?.t, i)));
-            let mut hits: Vec<_> = hits.filter(|(t, _)| !to_one || t.over <= t.under).collect();
-            hits.sort_by(|a, b| a.0.compare(&b.0).then(a.1.cmp(&b.1)));
-            let crossings = oracle.crossings(&ray, u32::MAX);
-            let found: Vec<u32> = crossings.iter().map(|crossing| crossing.primitive).collect();
-            let expected: Vec<u32> = hits.iter().map(|hit| hit.1).collect();
-            prop_assert_eq!(&found, &expected);
-            for (crossing, (t, _)) in crossings.iter().zip(&hits) {
-                prop_assert!((crossing.t - t.value()).abs() <= 1e-12 * t.value());
-            }
-            if let Some(&first) = found.first() {
-                prop_assert!(oracle.crossings(&ray, first).iter().all(|crossing| crossing.primitive != first));
-            }
-        }
-    }
-
-    /// One step of the float grid to either side of an edge, far away.
-    #[test]
-    fn one_step_beside_an_edge_is_outside() {
-        let far = 1e7_f32;
-        let oracle = Unculled::new(vec![[[0.5, -far, 3.0], [0.5, far, 7.0], [far, 0.1, 5.0]]]);
-        for (x, count) in [(0.5_f32.next_down(), 0), (0.5, 1), (0.5_f32.next_up(), 1)] {
-            let ray = Ray::new([x, 1.0 / 3.0, -1e-20], [0.0, 0.0, 1e-3]);
-            assert_eq!(oracle.crossings(&ray, u32::MAX).len(), count);
-        }
-    }
-}
+mod tests;

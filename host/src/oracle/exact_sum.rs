@@ -1,10 +1,11 @@
 //! Numbers without rounding.
 
+use crate::analysis::{two_product, two_sum};
 use std::cmp::Ordering;
 
 /// A number as a sum of doubles that do not overlap, smallest first (Shewchuk 1997, "Adaptive Precision Floating-Point
 /// Arithmetic and Fast Robust Geometric Predicates", section 2). Exact as long as no part underflows or overflows: for
-/// products of up to six numbers from 2^-160 to 2^160.
+/// products of up to six numbers below 2^160 that are multiples of 2^-160, which all `f32` and their differences are.
 #[derive(Clone, Debug, Default)]
 pub struct ExactSum(Vec<f64>);
 
@@ -82,20 +83,6 @@ impl ExactSum {
     pub fn value(&self) -> f64 {
         self.0.iter().sum()
     }
-}
-
-/// `a + b` rounded, and what the rounding left out (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let b_share = sum - a;
-    let a_share = sum - b_share;
-    (sum, (a - a_share) + (b - b_share))
-}
-
-/// `a * b` rounded, and what the rounding left out.
-fn two_product(a: f64, b: f64) -> (f64, f64) {
-    let product = a * b;
-    (product, a.mul_add(b, -product))
 }
 
 #[cfg(test)]

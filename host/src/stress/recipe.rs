@@ -1,7 +1,6 @@
 //! What a ray is made from.
 
-use slimbvh::Mesh;
-use slimbvh_core::Ray;
+use crate::{Mesh, Ray};
 
 /// A point of a triangle.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +20,8 @@ pub enum Start {
     Far([f32; 3], i32),
     /// On a triangle.
     On(Face),
+    /// At a point in the mesh's unit.
+    Exactly([f32; 3]),
 }
 
 /// Where a ray goes.
@@ -36,6 +37,8 @@ pub enum Aim {
     InPlane(u32, f32),
     /// Through both ends of an edge; starts on its line, before it.
     AlongEdge(u32, usize),
+    /// Parallel to an edge; starts before it, beside its line by this, in units of the mesh's size.
+    BesideEdge(u32, usize, [f32; 3]),
 }
 
 /// Which part of the ray counts, in units of the direction as it was before it was scaled: 1 is where the ray aims.
@@ -49,7 +52,7 @@ pub enum Range {
     Between(f32, f32),
 }
 
-/// See [`super::any_ray`].
+/// A ray that starts at, aims at or lies in some triangle of a mesh that it does not know yet.
 #[derive(Clone, Copy, Debug)]
 pub struct RayRecipe {
     /// Where it starts.
@@ -77,6 +80,7 @@ impl RayRecipe {
                 add(middle, direction.map(f64::from), largest * 10f64.powi(e))
             }
             Start::On(face) => point_of(mesh, face),
+            Start::Exactly(point) => point.map(f64::from),
         };
         let mut signed_zeros = None;
         let direction = match self.aim {
@@ -100,6 +104,13 @@ impl RayRecipe {
                 let corners = corners(mesh, triangle);
                 let d = sub(corners[(edge + 1) % 3], corners[edge]);
                 origin = add(corners[edge], d, -1.0);
+                d
+            }
+            Aim::BesideEdge(triangle, edge, offset) => {
+                let corners = corners(mesh, triangle);
+                let d = sub(corners[(edge + 1) % 3], corners[edge]);
+                let before = add(corners[edge], d, -1.0);
+                origin = add(before, offset.map(f64::from), largest);
                 d
             }
         };

@@ -1,0 +1,72 @@
+use super::tables::tables;
+use slimbvh::stress::Row;
+
+fn row(family: &str, magnitude: &str, codec: &str) -> Row {
+    Row {
+        tracer: "slimbvh".into(),
+        family: family.into(),
+        magnitude: magnitude.into(),
+        backend: "cpu".into(),
+        codec: codec.into(),
+        reduction: "whole".into(),
+        rays: 20_000,
+        t_error_ulps: 1234.5,
+        depth: Some(7),
+        time_ms: 1.25,
+        ..Row::default()
+    }
+}
+
+fn text(rows: &[Row]) -> String {
+    tables(rows).iter().map(|table| table.text()).collect()
+}
+
+#[test]
+fn rows_are_summed_up_and_faults_are_listed() {
+    let mut rows = vec![
+        row("scaled", "1e3", "f32"),
+        row("scaled", "1e3", "q10"),
+        row("scaled", "1e6", "f32"),
+    ];
+    let clean = text(&rows);
+    assert!(!clean.contains("What is wrong"), "{clean}");
+    let line = clean.lines().find(|line| line.starts_with("  scaled"));
+    let cells: Vec<&str> = line.unwrap_or_default().split_whitespace().collect();
+    let expected = [
+        "scaled", "slimbvh", "cpu", "2", "60,000", "0", "0", "0", "0", "1234.5", "0.0", "7", "–",
+        "4",
+    ];
+    assert_eq!(cells, expected);
+
+    rows[2].missed = 3;
+    rows[2].moved = Some(0.5);
+    rows[2].moved_bound = Some(2.0);
+    let faulty = text(&rows);
+    assert!(faulty.contains("What is wrong"), "{faulty}");
+    let last = faulty.lines().last().unwrap_or_default();
+    assert!(last.contains("1e6") && last.contains("f32 whole"), "{last}");
+    assert!(faulty.contains("25 %"), "{faulty}");
+}
+
+/// The longest names there are, and the largest figures.
+#[test]
+fn lines_fit_120_columns() {
+    let mut row = row(
+        "teapot, stadium",
+        "corners at ±f32::MAX/4",
+        "printed+leaf10",
+    );
+    row.tracer = "parry3d".into();
+    row.reduction = "reduced".into();
+    row.rays = 20_000_000;
+    row.t_error_ulps = 1.5e38;
+    row.plane_error_ulps = 99_999.9;
+    (row.missed, row.adrift, row.time_ms) = (99_999, 99_999, 99_999.0);
+    for line in text(&[row]).lines() {
+        assert!(
+            line.chars().count() <= 120,
+            "{}: {line}",
+            line.chars().count()
+        );
+    }
+}

@@ -1,0 +1,41 @@
+//! Families that there are none of, rows that are none, GPUs that nobody asked for.
+
+use super::{folder, refuses, refuses_usage};
+
+#[test]
+fn families_and_backends_that_there_are_none_of() {
+    let folder = folder();
+    refuses(
+        &folder,
+        &["stress", "--only", "cubes"],
+        &["no family", "cubes"],
+    );
+    refuses_usage(&folder, &["stress", "--backend", "cpu,tpu"], &["tpu"]);
+    let adapter = ["stress", "--backend", "cpu", "--adapter", "x"];
+    refuses(&folder, &adapter, &["--adapter", "--backend gpu"]);
+}
+
+#[test]
+fn rows_of_others_that_are_none() {
+    let folder = folder();
+    refuses(
+        &folder,
+        &["stress", "--with", "nowhere.json"],
+        &["nowhere.json"],
+    );
+    folder.write("broken.json", "{\"rows\": [{\"tracer\": 7}]}");
+    refuses(
+        &folder,
+        &["stress", "--with", "broken.json"],
+        &["broken.json", "rows"],
+    );
+}
+
+#[test]
+fn reports_without_a_place() {
+    let folder = folder();
+    let json = ["stress", "--json", "nowhere/rows.json"];
+    refuses(&folder, &json, &["there is no folder", "nowhere"]);
+    let taken = ["stress", "--with", "kept.png", "--json", "kept.png"];
+    refuses(&folder, &taken, &["kept.png", "another use"]);
+}

@@ -1,0 +1,78 @@
+//! Rays that break tracers.
+
+use super::{keys, parse};
+use crate::process::Folder;
+
+#[test]
+fn one_family_as_text_and_json() {
+    let folder = Folder::new();
+    let arguments = ["stress", "--quick", "--only", "soup", "--json", "soup.json"];
+    let text = folder.succeed(arguments);
+    for part in [
+        "By family",
+        "By codec",
+        "nothing is missed",
+        "40 ulps",
+        "q10+lattice",
+    ] {
+        assert!(text.contains(part), "{part} is not in {text}");
+    }
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 120),
+        "{text}"
+    );
+    let json = parse(&String::from_utf8_lossy(&folder.read("soup.json")));
+    let rows = json["rows"].as_array().expect("there are rows");
+    assert_eq!(rows.len(), 5);
+    let expected = [
+        "adrift",
+        "backend",
+        "codec",
+        "depth",
+        "example",
+        "false_hits",
+        "family",
+        "magnitude",
+        "missed",
+        "moved",
+        "moved_bound",
+        "plane_error_ulps",
+        "rays",
+        "reduction",
+        "stack",
+        "t_error_ulps",
+        "time_ms",
+        "tracer",
+        "wrong_primitive",
+    ];
+    assert_eq!(keys(&rows[0]), expected);
+}
+
+/// They are shown, and only ours decide.
+#[test]
+fn rows_of_others_are_shown_beside_ours() {
+    let folder = Folder::new();
+    let json = folder.succeed(["stress", "--quick", "--only", "soup", "--json", "-"]);
+    let others = json
+        .replace("\"slimbvh\"", "\"other\"")
+        .replace("\"missed\": 0", "\"missed\": 7");
+    folder.write("others.json", &others);
+    let arguments = [
+        "stress",
+        "--quick",
+        "--only",
+        "flat",
+        "--with",
+        "others.json",
+    ];
+    let text = folder.succeed(arguments);
+    assert!(
+        text.contains("other cpu") && text.contains("What is wrong"),
+        "{text}"
+    );
+
+    folder.write("ours.json", others.replace("\"other\"", "\"slimbvh\""));
+    let outcome = folder.run(["stress", "--quick", "--only", "flat", "--with", "ours.json"]);
+    assert_eq!(outcome.code, Some(1), "{outcome:?}");
+    assert!(outcome.stdout.contains("35 at fault"), "{}", outcome.stdout);
+}
